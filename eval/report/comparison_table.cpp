@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/report/comparison_table.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace hydrabench {
+namespace {
+
+const std::vector<TableColumn> kColumns = {
+    {"precision", "P↑", R"(P\,$\uparrow$)", true, 3, true},
+    {"recall", "R↑", R"(R\,$\uparrow$)", true, 3, true},
+    {"f1", "F1↑", R"(F$_1$\,$\uparrow$)", true, 3, true},
+    {"chamfer_sq", "Chamf.↓", R"(Chamf.\,$\downarrow$)", false, 4, true},
+    {"b_iou", "B-IoU↑", R"(B-IoU\,$\uparrow$)", true, 3, true},
+    {"v_iou_solid", "V-IoU↑", R"(V-IoU\,$\uparrow$)", true, 3, true},
+    {"chamfer_l1_all_gt", "Chamf.L1 all↓", R"(Chamf.$_{L1}^{\mathrm{all}}$\,$\downarrow$)", false,
+     3, true},
+    {"v_iou_solid_all_gt", "V-IoU all↑", R"(V-IoU$^{\mathrm{all}}$\,$\uparrow$)", true, 3, true},
+    {"estimates", "est.", R"(est.)", true, 0, false},
+    {"matched_estimates", "hit est.", R"(hit est.)", true, 0, false},
+    {"found_truths", "found GT", R"(found GT)", true, 0, false},
+    {"truths", "GT", R"(GT)", true, 0, false},
+};
+
+/// Marks the best three different printed values, so that two cells that look the same are marked
+/// the same.
+void rankColumn(TableBlock& block, std::size_t column, const TableColumn& spec) {
+  if (!spec.ranked) return;
+  const auto shown = [&](double value) { return fmt::format("{:.{}f}", value, spec.decimals); };
+  std::set<std::pair<double, std::string>> distinct;
+  for (const TableRow& row : block.rows) {
+    if (const auto& value = row.cells[column].value) {
+      const std::string text = shown(*value);
+      const double rounded = std::stod(text);
+      distinct.emplace(spec.higher_is_better ? -rounded : rounded, text);
+    }
+  }
+  int rank = 0;
+  for (const auto& [key, text] : distinct) {
+    if (++rank > 3) break;
+    for (TableRow& row : block.rows) {
+      TableCell& cell = row.cells[column];
+      if (cell.value && shown(*cell.value) == text) cell.rank = rank;
+    }
+  }
+}
+
+}  // namespace
+
+std::string methodLabel(const std::string& method) {
+  static const std::map<std::string, std::string> kLabels = {
+      {"hydra", "Hydra"},
+      {"khronos", "Khronos"},
+      {"template_cad", "Template CAD"},
+      {"hydra_plus_plus", "Hydra++"},
+      {"hydra_plus_plus_no_rmcc", "Hydra++ w/o RMCC"},
+      {"hydra_plus_plus_extended", "Hydra++ extended"},
+      {"hydra_plus_plus_refined", "Hydra++ refined"},
+      {"oracle_shape", "Oracle shape"},
+      {"ground_truth", "Ground truth"},
+  };
+  const auto found = kLabels.find(method);
+  return found == kLabels.end() ? method : found->second;
+}
+
+ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::string& class_name) {
+  using BlockKey = std::tuple<double, std::string>;
+  using CellKey = std::tuple<double, std::string, std::string, std::string>;
+  std::vector<std::string> methods;
+  std::set<std::string> datasets;
+  std::set<BlockKey> block_keys;
+  std::map<CellKey, const ScoreRow*> cells;
+  // With several seeds the pooled rows are the table; a single seed stands for itself.
+  const bool pooled = std::any_of(rows.begin(), rows.end(),
+                                  [](const ScoreRow& row) { return row.seed == kPooledSeed; });
+  for (const ScoreRow& row : rows) {
+    if (row.class_name != class_name || row.threshold_kind != "tau_m" || !row.threshold) continue;
+    if (pooled && row.seed != kPooledSeed) continue;
+    if (std::find(methods.begin(), methods.end(), row.method) == methods.end()) {
+      methods.push_back(row.method);
+    }
+    datasets.insert(row.dataset);
+    block_keys.emplace(*row.threshold, row.matching);
+    cells[{*row.threshold, row.matching, row.method, row.metric}] = &row;
+  }
+
+  ComparisonTable table;
+  table.columns = kColumns;
+  for (const std::string& dataset : datasets) {
+    table.title += (table.title.empty() ? "" : ", ") + dataset;
+  }
+  if (class_name != kAllMicro) table.title += ", " + class_name;
+  for (const auto& [threshold, matching] : block_keys) {
+    TableBlock block{"tau_m", threshold, matching, {}};
+    for (const std::string& method : methods) {
+      TableRow row{method, methodLabel(method), {}};
+      for (const TableColumn& column : kColumns) {
+        TableCell& cell = row.cells.emplace_back();
+        const auto found = cells.find({threshold, matching, method, column.metric});
+        if (found == cells.end()) continue;
+        cell.value = found->second->value;
+        cell.ci95_low = found->second->ci95_low;
+        cell.ci95_high = found->second->ci95_high;
+      }
+      block.rows.push_back(std::move(row));
+    }
+    for (std::size_t c = 0; c < kColumns.size(); ++c) rankColumn(block, c, kColumns[c]);
+    table.blocks.push_back(std::move(block));
+  }
+  table.notes = {
+      "exists: an estimate counts if any ground-truth object of its class lies within tau_d, many "
+      "may share one (the paper's rule); "
+      "one_to_one: optimal assignment.",
+      "Chamf. [m^2], B-IoU and V-IoU are means over matched pairs (the paper's rule); the columns "
+      "marked 'all' are means over all "
+      "ground-truth objects, a miss counting with the worst value.",
+      "[low, high]: 95 % percentile bootstrap over objects.",
+  };
+  return table;
+}
+
+}  // namespace hydrabench
