@@ -24,7 +24,8 @@ hydrabench_include_root(tests tests eval baselines metrics core)
 # instructions), sanitizers on request.
 add_library(hydrabench_flags INTERFACE)
 target_compile_options(hydrabench_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off)
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off
+  -Wno-restrict)  # false alarms on std::string concatenation in GCC 12 (GCC bug 105651)
 if(CMAKE_BUILD_TYPE STREQUAL Debug)
   target_compile_definitions(hydrabench_flags INTERFACE _GLIBCXX_ASSERTIONS)
 endif()

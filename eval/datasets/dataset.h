@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -51,6 +52,7 @@ class Dataset {
  public:
   virtual ~Dataset() = default;
   virtual std::string name() const = 0;
+  virtual std::uint64_t seed() const { return 0; }  ///< of a generated world; 0 for recordings
   virtual const LabelSpace& labelSpace() const = 0;
   virtual const Camera& camera() const = 0;
   virtual std::size_t numFrames() const = 0;

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+
+#include "core/graph/spark_dsg_json.h"
+#include "core/types/error.h"
+#include "eval/app/app.h"
+#include "eval/app/evaluation_setup.h"
+#include "eval/app/progress.h"
+#include "eval/report/comparison_table.h"
+#include "eval/report/result_folder.h"
+
+namespace hydrabench {
+namespace {
+
+struct Options {
+  std::vector<std::filesystem::path> predictions;
+  std::filesystem::path dataset;
+  std::filesystem::path out;
+  std::vector<std::string> overrides;
+  bool replace = false;
+};
+
+int evaluate(const Options& options) {
+  std::vector<Prediction> predictions;
+  std::set<std::string> names;
+  for (const std::filesystem::path& path : options.predictions) {
+    predictions.push_back(readPrediction(path));
+    if (!names.insert(predictions.back().method).second) {
+      throw InputError(fmt::format(
+          "{}: method name '{}' is taken by an earlier prediction; names in a table must differ",
+          path.string(), predictions.back().method));
+    }
+  }
+  const EvaluationSetup setup = openEvaluation(options.dataset, options.overrides);
+  const Dataset& dataset = *setup.dataset.dataset;
+  if (!dataset.hasGroundTruth()) {
+    throw InputError(fmt::format("{}: this dataset has no ground truth to score against",
+                                 options.dataset.string()));
+  }
+
+  Result result;
+  result.dataset = dataset.name();
+  result.seed = std::to_string(dataset.seed());
+  result.label_space = dataset.labelSpace();
+  result.config = setup.resolved_config;
+  result.provenance = currentProvenance(commandLine());
+  const Evaluator evaluator(result.dataset, result.seed, dataset.labelSpace(),
+                            dataset.groundTruth(), setup.evaluation);
+  Progress progress("evaluate", predictions.size());
+  for (const Prediction& prediction : predictions) {
+    result.methods.push_back(evaluator.evaluate(prediction));
+    progress.advance();
+  }
+  writeResult(options.out, result, options.replace);
+  for (const MethodEvaluation& method : result.methods) {
+    if (method.unscored_estimates == 0) continue;
+    fmt::print(stderr, "{}: {} estimates of classes that are not scored were left out\n",
+               method.method, method.unscored_estimates);
+  }
+  fmt::print("{}", renderTerminal(comparisonTable(allScores(result)), isatty(STDOUT_FILENO) == 1));
+  fmt::print("wrote {}\n", options.out.string());
+  return kDone;
+}
+
+}  // namespace
+
+Command addEvaluate(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("predictions", options->predictions,
+                 "prediction folders, or scene_graph.json files of Hydra and Khronos")
+      ->required()
+      ->type_name("PREDICTION...");
+  app.add_option("--dataset", options->dataset, "dataset with the ground truth")
+      ->required()
+      ->type_name("DATASET.yaml");
+  app.add_option("--out", options->out, "result folder; appears complete or not at all")
+      ->required()
+      ->type_name("RESULT");
+  app.add_flag("--replace", options->replace, "replace the result folder if it exists");
+  addOverrides(app, options->overrides, "evaluation.voxel_pitch_m=0.0375");
+  app.footer(
+      "Example:\n"
+      "  hydrabench evaluate hydra_run/ khronos_run/ --dataset configs/datasets/office.yaml --out "
+      "results/mine\n"
+      "docs/metrics.md defines every number, docs/extend.md the files of a prediction.");
+  return [options] { return evaluate(*options); };
+}
+
+}  // namespace hydrabench

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/app/evaluation_setup.h"
+
+#include <fmt/format.h>
+
+#include "core/types/error.h"
+
+namespace hydrabench {
+namespace {
+
+std::string indented(const std::string& yaml) {
+  std::string text = "  ";
+  for (std::size_t i = 0; i < yaml.size(); ++i) {
+    text += yaml[i];
+    if (yaml[i] == '\n' && i + 1 < yaml.size()) text += "  ";
+  }
+  if (!text.ends_with('\n')) text += '\n';
+  return text;
+}
+
+}  // namespace
+
+EvaluationSetup openEvaluation(const std::filesystem::path& dataset_config,
+                               const std::vector<std::string>& overrides) {
+  ConfigDocument evaluation_document = ConfigDocument::fromString("{}", "evaluation");
+  std::vector<std::string> dataset_overrides;
+  for (const std::string& override_text : overrides) {
+    if (override_text.starts_with("dataset.")) {
+      dataset_overrides.push_back(override_text.substr(8));
+    } else if (override_text.starts_with("evaluation.")) {
+      evaluation_document.set(override_text.substr(11));
+    } else {
+      throw InputError(fmt::format(
+          "--set {}: expected a key that starts with 'dataset.' or 'evaluation.'", override_text));
+    }
+  }
+  EvaluationSetup setup;
+  ConfigReader reader(evaluation_document);
+  read(reader, setup.evaluation);
+  reader.finish();
+  setup.dataset = openDataset(dataset_config, dataset_overrides);
+  setup.resolved_config = "dataset:\n" + indented(setup.dataset.resolved_config) + "evaluation:\n" +
+                          indented(reader.resolved());
+  return setup;
+}
+
+}  // namespace hydrabench

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/graph/scene_graph.h"
+#include "eval/datasets/dataset.h"
+#include "eval/evaluation/evaluation_config.h"
+#include "eval/evaluation/score_row.h"
+#include "metrics/kappa_sweep.h"
+#include "metrics/pair_scores.h"
+
+namespace hydrabench {
+
+/// An object as it enters scoring.
+struct ScoredObject {
+  DetectionObject detection;
+  std::string name;
+  std::string subtype;
+  std::string room;
+  std::optional<double> visible_fraction;  ///< ground truth only
+  std::shared_ptr<const ObjectModel> model;
+};
+
+/// What became of an estimate or of a ground-truth object at one threshold; a line of objects.csv.
+struct ObjectRow {
+  enum class Outcome { kMatched, kDuplicate, kUnmatched, kMissed };
+  Threshold threshold;
+  Matching matching = Matching::kExists;
+  Outcome outcome = Outcome::kUnmatched;
+  std::optional<std::size_t> estimate;  ///< index into estimates; nullopt for a miss
+  std::optional<std::size_t> truth;     ///< index into truths: the partner, or for an unmatched
+                                        ///< estimate the nearest of its class
+  std::optional<double> center_distance_m;
+  std::optional<PairScores> scores;  ///< matched only
+};
+
+struct KappaCurve {
+  std::string class_name;
+  KappaSweep sweep;
+};
+
+/// Everything known of one prediction on one dataset.
+struct MethodEvaluation {
+  std::string method;
+  std::vector<ScoredObject> estimates;
+  std::vector<ScoredObject> truths;
+  std::vector<ScoreRow> scores;
+  std::vector<ObjectRow> objects;
+  std::vector<KappaCurve> kappa_curves;
+  std::size_t unscored_estimates =
+      0;  ///< of classes that do not count, or nearest to ignored ground truth
+  std::size_t unscored_truths = 0;
+};
+
+/// Ground truth prepared once for scoring any number of predictions against it.
+class Evaluator {
+ public:
+  /// Throws InputError if no object of the ground truth counts.
+  Evaluator(std::string dataset_name, std::string seed, const LabelSpace& label_space,
+            const GroundTruth& truth, const EvaluationConfig& config);
+
+  /// Throws InputError for a prediction that is plainly in other units (millimetres).
+  MethodEvaluation evaluate(const Prediction& prediction) const;
+
+  const std::vector<ScoredObject>& truths() const { return truths_; }
+
+ private:
+  std::string dataset_name_;
+  std::string seed_;
+  LabelSpace label_space_;
+  EvaluationConfig config_;
+  std::vector<ScoredObject> truths_;
+  std::vector<DetectionObject> ignored_;
+};
+
+}  // namespace hydrabench

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/evaluation/self_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/graph/spark_dsg_json.h"
+#include "core/types/random.h"
+#include "eval/oracles/ground_truth_prediction.h"
+
+namespace hydrabench {
+namespace {
+
+/// Rows of a metric that are not `expected`, as "n of m, e.g. ..."; empty if all are.
+std::string wrongRows(const MethodEvaluation& evaluation, const std::string& metric,
+                      const std::string& matching, std::optional<double> expected) {
+  std::size_t wrong = 0;
+  std::size_t total = 0;
+  std::string example;
+  for (const ScoreRow& row : evaluation.scores) {
+    if (row.metric != metric || (!matching.empty() && row.matching != matching)) continue;
+    ++total;
+    if (row.value == expected) continue;
+    if (wrong++ == 0) {
+      example =
+          fmt::format("{} {} at {} {}: {}", row.matching, row.class_name, row.threshold_kind,
+                      row.threshold.value_or(0), row.value ? fmt::format("{}", *row.value) : "n/a");
+    }
+  }
+  if (total == 0) return fmt::format("{}: no rows", metric);
+  return wrong == 0
+             ? ""
+             : fmt::format("{}: {} of {} rows differ, e.g. {}", metric, wrong, total, example);
+}
+
+class SelfTest {
+ public:
+  SelfTest(std::string dataset_name, std::string seed, const LabelSpace& label_space,
+           const EvaluationConfig& config, std::function<void(const SelfTestCheck&)> on_check)
+      : dataset_name_(std::move(dataset_name)),
+        seed_(std::move(seed)),
+        label_space_(label_space),
+        config_(config),
+        on_check_(std::move(on_check)) {}
+
+  SelfTestReport run(const GroundTruth& truth) {
+    const Evaluator evaluator(dataset_name_, seed_, label_space_, truth, config_);
+    const Prediction perfect = groundTruthPrediction(label_space_, truth);
+    report_.ground_truth = evaluator.evaluate(perfect);
+    checkPerfect(report_.ground_truth, "ground truth");
+    checkSamplingFloor();
+    checkOpenMeshes(truth);
+    checkDamaged(evaluator, perfect);
+    checkFiles(evaluator, perfect);
+    return std::move(report_);
+  }
+
+ private:
+  void add(std::string claim, std::string fault, std::string seen = "") {
+    SelfTestCheck check{std::move(claim), fault.empty(),
+                        fault.empty() ? std::move(seen) : std::move(fault)};
+    if (on_check_) on_check_(check);
+    report_.checks.push_back(std::move(check));
+  }
+
+  void checkPerfect(const MethodEvaluation& evaluation, const std::string& what) {
+    std::string fault;
+    for (const char* metric : {"precision", "recall", "f1"}) {
+      if (fault.empty()) fault = wrongRows(evaluation, metric, "", 1.0);
+    }
+    add(what + " against itself: P = R = F1 = 1, both semantics, every threshold and class", fault,
+        fmt::format("{} objects", evaluation.truths.size()));
+
+    std::size_t values = 0;
+    std::string ratio_fault;
+    std::string distance_fault;
+    for (const ObjectRow& row : evaluation.objects) {
+      if (!row.scores) continue;
+      for (const PairScoreColumn& column : pairScoreColumns()) {
+        const std::optional<double>& value = (*row.scores).*column.value;
+        if (column.direction == ScoreDirection::kReference || column.name == "chamfer_sq" || !value)
+          continue;
+        ++values;
+        const bool ratio = column.direction == ScoreDirection::kHigherIsBetter;
+        std::string& fault_text = ratio ? ratio_fault : distance_fault;
+        if (*value != (ratio ? 1.0 : 0.0) && fault_text.empty()) {
+          fault_text =
+              fmt::format("{}: {} = {}", evaluation.truths[*row.truth].name, column.name, *value);
+        }
+      }
+    }
+    add(what + " against itself: every IoU and F-score is 1", ratio_fault,
+        fmt::format("{} values", values));
+    add(what + " against itself: every point-to-surface distance is exactly 0", distance_fault);
+  }
+
+  void checkSamplingFloor() {
+    for (const ScoreRow& row : report_.ground_truth.scores) {
+      if (row.metric != "chamfer_sq" || row.class_name != kAllMicro || row.matching != kOneToOne)
+        continue;
+      const auto floor = std::find_if(
+          report_.ground_truth.scores.begin(), report_.ground_truth.scores.end(),
+          [&](const ScoreRow& other) {
+            return other.metric == "chamfer_sq_floor" && other.class_name == row.class_name &&
+                   other.matching == row.matching && other.threshold == row.threshold;
+          });
+      const double ratio = *row.value / *floor->value;
+      add("sampled Chamfer of ground truth is its sampling floor",
+          std::abs(ratio - 1) < 0.1 ? ""
+                                    : fmt::format("ratio {:.3f}, expected 1 within 0.1", ratio),
+          fmt::format("{:.3g} m^2 at {} samples", *row.value, config_.samples));
+      return;
+    }
+  }
+
+  /// Cuts away the upper half of every mesh: surfaces with a border, as partial maps have.
+  void checkOpenMeshes(const GroundTruth& truth) {
+    GroundTruth open;
+    for (const GroundTruthObject& object : truth.objects) {
+      const LabelSpace::Entry* entry = label_space_.find(object.label);
+      if (!entry || !entry->is_scored) continue;
+      Mesh half = *object.mesh;
+      const double middle = bounds(half).center().z();
+      std::erase_if(half.faces, [&](const Eigen::Vector3i& face) {
+        return (half.vertices[static_cast<std::size_t>(face[0])].z() +
+                half.vertices[static_cast<std::size_t>(face[1])].z() +
+                half.vertices[static_cast<std::size_t>(face[2])].z()) /
+                   3 >
+               middle;
+      });
+      if (half.faces.empty()) continue;
+      open.objects.push_back(object);
+      open.objects.back().mesh = std::make_shared<const Mesh>(std::move(half));
+    }
+    EvaluationConfig quick = config_;
+    quick.bootstrap_resamples = 0;
+    const Evaluator evaluator(dataset_name_, seed_, label_space_, open, quick);
+    checkPerfect(evaluator.evaluate(groundTruthPrediction(label_space_, open)), "meshes cut open");
+  }
+
+  void checkDamaged(const Evaluator& evaluator, const Prediction& perfect) {
+    Prediction empty = perfect;
+    empty.graph.objects.clear();
+    const MethodEvaluation nothing = evaluator.evaluate(empty);
+    std::string fault = wrongRows(nothing, "precision", "", std::nullopt);
+    if (fault.empty()) fault = wrongRows(nothing, "recall", "", 0.0);
+    if (fault.empty()) fault = wrongRows(nothing, "v_iou_solid_all_gt", "", 0.0);
+    add("an empty prediction: P undefined, R = 0, V-IoU over all ground truth = 0", fault);
+
+    Prediction doubled = perfect;
+    for (const ObjectNode& node : perfect.graph.objects) {
+      doubled.graph.objects.push_back(node);
+      doubled.graph.objects.back().id = objectNodeId(doubled.graph.objects.size());
+    }
+    const MethodEvaluation twice = evaluator.evaluate(doubled);
+    fault = wrongRows(twice, "precision", kExists, 1.0);
+    if (fault.empty()) fault = wrongRows(twice, "precision", kOneToOne, 0.5);
+    if (fault.empty()) fault = wrongRows(twice, "recall", "", 1.0);
+    add("everything twice: P stays 1 under exists and halves under one_to_one", fault);
+
+    Prediction lifted = perfect;
+    for (ObjectNode& node : lifted.graph.objects) {
+      for (Eigen::Vector3d& vertex : node.mesh.vertices) vertex.z() += 100;
+      node.box.translate(Eigen::Vector3d(0, 0, 100));
+    }
+    add("everything 100 m too high: R = 0",
+        wrongRows(evaluator.evaluate(lifted), "recall", "", 0.0));
+
+    Prediction shuffled = perfect;
+    Random random(config_.seed, 17);
+    for (std::size_t i = shuffled.graph.objects.size(); i > 1; --i) {
+      std::swap(shuffled.graph.objects[i - 1],
+                shuffled.graph.objects[random.index(static_cast<std::uint32_t>(i))]);
+    }
+    for (std::size_t i = 0; i < shuffled.graph.objects.size(); ++i) {
+      shuffled.graph.objects[i].id = objectNodeId(1000 + i);
+    }
+    add("objects in another order under other ids: not a byte of scores.csv changes",
+        scoresCsv(evaluator.evaluate(shuffled).scores) == scoresCsv(report_.ground_truth.scores)
+            ? ""
+            : "scores.csv differs");
+  }
+
+  void checkFiles(const Evaluator& evaluator, const Prediction& perfect) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("hydrabench_selftest_{}", ::getpid());
+    writePrediction(folder, perfect);
+    const Prediction back = readPrediction(folder);
+    std::filesystem::remove_all(folder);
+    add("written as scene_graph.json and read back: not a byte of scores.csv changes",
+        scoresCsv(evaluator.evaluate(back).scores) == scoresCsv(report_.ground_truth.scores)
+            ? ""
+            : "scores.csv differs");
+  }
+
+  std::string dataset_name_;
+  std::string seed_;
+  const LabelSpace& label_space_;
+  EvaluationConfig config_;
+  std::function<void(const SelfTestCheck&)> on_check_;
+  SelfTestReport report_;
+};
+
+}  // namespace
+
+bool SelfTestReport::passed() const {
+  return std::all_of(checks.begin(), checks.end(),
+                     [](const SelfTestCheck& check) { return check.passed; });
+}
+
+SelfTestReport runSelfTest(const std::string& dataset_name, const std::string& seed,
+                           const LabelSpace& label_space, const GroundTruth& truth,
+                           const EvaluationConfig& config,
+                           const std::function<void(const SelfTestCheck&)>& on_check) {
+  return SelfTest(dataset_name, seed, label_space, config, on_check).run(truth);
+}
+
+}  // namespace hydrabench
