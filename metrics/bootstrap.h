@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "metrics/aggregate.h"
+#include "metrics/detection.h"
+
+namespace hydrabench {
+
+/// Percentile bootstrap (Efron and Tibshirani 1993, ch. 13), stratified by class: every resample
+/// draws as many objects of a class as there are, with replacement. Matching is not repeated: what
+/// is resampled is whether an object was matched, or what it scored. The same seed gives the same
+/// interval, for any order of the objects.
+struct BootstrapConfig {
+  int resamples = 2000;
+  double confidence = 0.95;
+  std::uint64_t seed = 0;
+};
+
+struct Interval {
+  double low = 0;
+  double high = 0;
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// Intervals of P, R and F1. Estimates and truths are drawn independently of each other. Undefined
+/// where the score is.
+struct DetectionIntervals {
+  std::optional<Interval> precision;
+  std::optional<Interval> recall;
+  std::optional<Interval> f1;
+};
+DetectionIntervals bootstrapDetection(const CountsByClass& counts, Averaging averaging,
+                                      const BootstrapConfig& config);
+
+/// Interval of mean(values, averaging); undefined where the mean is.
+std::optional<Interval> bootstrapMean(const ValuesByClass& values, Averaging averaging,
+                                      const BootstrapConfig& config);
+
+/// Does A beat B? Both saw the same truths, so a resample draws truths, and each with what both
+/// methods made of it.
+struct PairedComparison {
+  double difference = 0;  ///< score of A minus score of B
+  Interval interval;      ///< of the difference
+  /// Two-sided p-value: twice the share of resamples on the far side of 0, (count + 1) / (resamples
+  /// + 1), at most 1.
+  double p_value = 1;
+};
+
+/// What methods A and B scored on one truth (found or not as 1 and 0; valueOfTruth; ...).
+struct PairedValue {
+  double a = 0;
+  double b = 0;
+};
+using PairedValuesByClass = std::map<Label, std::vector<PairedValue>>;
+/// Difference of the means over truths. No truths: undefined.
+std::optional<PairedComparison> pairedBootstrap(const PairedValuesByClass& values,
+                                                Averaging averaging, const BootstrapConfig& config);
+
+/// Difference in F1, pooled or averaged over classes: truths are drawn in pairs, the two sets of
+/// estimates independently.
+struct PairedDetection {
+  std::size_t estimates_a = 0;
+  std::size_t matched_estimates_a = 0;
+  std::size_t estimates_b = 0;
+  std::size_t matched_estimates_b = 0;
+  std::vector<PairedValue> found;  ///< per truth, 1 or 0
+};
+std::optional<PairedComparison> pairedBootstrapF1(const std::map<Label, PairedDetection>& classes,
+                                                  Averaging averaging,
+                                                  const BootstrapConfig& config);
+
+}  // namespace hydrabench
