@@ -9,8 +9,8 @@ namespace hydrabench {
 /// Axis-aligned box [m]. Empty when default-constructed.
 using Aabb = Eigen::AlignedBox3d;
 
-/// Volume of the intersection over volume of the union, in [0, 1]. Two boxes without volume that are equal: 1; otherwise a union
-/// without volume gives 0.
+/// Volume of the intersection over volume of the union, in [0, 1]. Two boxes without volume that
+/// are equal: 1; otherwise a union without volume gives 0.
 double boxIou(const Aabb& a, const Aabb& b);
 
 /// Half the length of the diagonal [m]; the d_diag of the kappa-normalised threshold.
@@ -24,7 +24,8 @@ struct OrientedBox {
   double volume() const { return dimensions.prod(); }
 };
 
-/// Exact: the intersection polytope is clipped face by face, no sampling. Degenerate boxes as in boxIou.
+/// Exact: the intersection polytope is clipped face by face, no sampling. Degenerate boxes as in
+/// boxIou.
 double orientedBoxIou(const OrientedBox& a, const OrientedBox& b);
 
 }  // namespace hydrabench

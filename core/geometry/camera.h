@@ -8,7 +8,8 @@
 
 namespace hydrabench {
 
-/// Pinhole camera without distortion: x right, y down, z forward. Integer (u, v) is the centre of a pixel.
+/// Pinhole camera without distortion: x right, y down, z forward. Integer (u, v) is the centre of a
+/// pixel.
 struct Camera {
   int width = 0;   ///< [px]
   int height = 0;  ///< [px]

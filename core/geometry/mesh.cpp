@@ -117,7 +117,13 @@ Mesh sphereMesh(const Eigen::Vector3d& center, double radius, int subdivisions) 
 }
 
 void roundToFloat(Mesh& mesh) {
-  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = vertex.cast<float>().cast<double>();
+  for (Eigen::Vector3d& vertex : mesh.vertices) {
+    for (double& coordinate : vertex) {
+      // volatile: GCC 12 drops the way to float and back where it vectorises straight-line code.
+      const volatile float rounded = static_cast<float>(coordinate);
+      coordinate = static_cast<double>(rounded);
+    }
+  }
 }
 
 }  // namespace hydrabench

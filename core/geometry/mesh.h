@@ -13,7 +13,8 @@
 
 namespace hydrabench {
 
-/// Indexed triangles; a soup is allowed, so real-world meshes survive unchanged. Counter-clockwise seen from outside.
+/// Indexed triangles; a soup is allowed, so real-world meshes survive unchanged. Counter-clockwise
+/// seen from outside.
 struct Mesh {
   std::vector<Eigen::Vector3d> vertices;  ///< [m]
   std::vector<Eigen::Vector3i> faces;     ///< indices into vertices
@@ -28,19 +29,22 @@ Aabb bounds(const Mesh& mesh);
 /// Sum of the triangle areas [m^2].
 double surfaceArea(const Mesh& mesh);
 
-/// Signed volume by the divergence theorem [m^3]; meaningful for closed, consistently oriented meshes.
+/// Signed volume by the divergence theorem [m^3]; meaningful for closed, consistently oriented
+/// meshes.
 double signedVolume(const Mesh& mesh);
 
 Mesh transformed(const Transform& T_b_a, const Mesh& mesh_a);
 Mesh scaled(double factor, Mesh mesh);
-void append(const Mesh& part, Mesh& whole);  ///< colours are kept if both have them (or whole is empty)
+void append(const Mesh& part,
+            Mesh& whole);  ///< colours are kept if both have them (or whole is empty)
 
 /// Axis-aligned cuboid, 8 vertices, 12 faces, outward.
 Mesh boxMesh(const Aabb& box);
 /// Sphere by subdivision of an icosahedron; 20 * 4^subdivisions faces with vertices on the sphere.
 Mesh sphereMesh(const Eigen::Vector3d& center, double radius, int subdivisions);
 
-/// Vertices rounded to float, which is what mesh files store: what is written and read back is then bit-equal.
+/// Vertices rounded to float, which is what mesh files store: what is written and read back is then
+/// bit-equal.
 void roundToFloat(Mesh& mesh);
 
 }  // namespace hydrabench

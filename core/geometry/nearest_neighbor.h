@@ -11,14 +11,16 @@
 
 namespace hydrabench {
 
-/// Exact nearest neighbours among 3-D points (FLANN single kd-tree, exact search). Queries are thread-safe.
+/// Exact nearest neighbours among 3-D points (FLANN single kd-tree, exact search). Queries are
+/// thread-safe.
 class NearestNeighbor {
  public:
   struct Match {
     std::size_t index = 0;
     double squared_distance = 0;  ///< [m^2]
   };
-  explicit NearestNeighbor(std::span<const Eigen::Vector3d> points);  ///< throws InputError when empty
+  explicit NearestNeighbor(
+      std::span<const Eigen::Vector3d> points);  ///< throws InputError when empty
   ~NearestNeighbor();
   NearestNeighbor(NearestNeighbor&&) noexcept;
   NearestNeighbor& operator=(NearestNeighbor&&) noexcept;

@@ -13,7 +13,8 @@
 
 namespace hydrabench {
 
-/// Rays against triangles, and nearest points on them. Embree 3 or 4 underneath, in raycaster.cpp only. Queries are thread-safe.
+/// Rays against triangles, and nearest points on them. Embree 3 or 4 underneath, in raycaster.cpp
+/// only. Queries are thread-safe.
 class Raycaster {
  public:
   static constexpr std::uint32_t kMiss = std::numeric_limits<std::uint32_t>::max();
@@ -44,19 +45,24 @@ class Raycaster {
   Raycaster(Raycaster&&) noexcept;
   Raycaster& operator=(Raycaster&&) noexcept;
 
-  /// Adds the triangles of a mesh; returns its index (0, 1, 2 ...). Degenerate faces are kept but never hit.
+  /// Adds the triangles of a mesh; returns its index (0, 1, 2 ...). Degenerate faces are kept but
+  /// never hit.
   std::uint32_t add(const Mesh& mesh);
-  /// Builds the hierarchy; call once, after the last add() and before any query. Same bytes for any thread count.
+  /// Builds the hierarchy; call once, after the last add() and before any query. Same bytes for any
+  /// thread count.
   void commit();
 
   Hit intersect(const Ray& ray) const;
-  /// Many rays that lie close together (pixels of a tile): several times faster than one by one. hits.size() == rays.size().
+  /// Many rays that lie close together (pixels of a tile): several times faster than one by one.
+  /// hits.size() == rays.size(). Depends on the rays of the span and their order only; the order
+  /// may decide which of two faces a ray through their common edge hits.
   void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
   /// blocked[i] = 1 where anything lies between min_distance and max_distance, else 0.
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
 
-  /// Nearest point on any triangle within max_distance [m]; face == kMiss if there is none. The hierarchy is searched with float
-  /// boxes widened by their rounding, the distance itself is computed in double.
+  /// Nearest point on any triangle within max_distance [m]; face == kMiss if there is none, of
+  /// several the one of lowest mesh and face. The hierarchy is searched with float boxes widened by
+  /// their rounding, the distance itself is computed in double.
   SurfacePoint nearest(const Eigen::Vector3d& query,
                        double max_distance = std::numeric_limits<double>::infinity()) const;
 

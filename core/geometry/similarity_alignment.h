@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -22,8 +23,8 @@ struct Similarity {
   }
 };
 
-/// Least-squares similarity (Umeyama, PAMI 1991); scale fixed to 1 on request. Needs at least 3 points that are not on one line:
-/// nullopt otherwise, or when a value is not finite.
+/// Least-squares similarity (Umeyama, PAMI 1991); scale fixed to 1 on request. Needs at least 3
+/// points that are not on one line: nullopt otherwise, or when a value is not finite.
 std::optional<Similarity> alignSimilarity(std::span<const Eigen::Vector3d> source,
                                           std::span<const Eigen::Vector3d> target,
                                           bool with_scale = true);
@@ -33,7 +34,8 @@ struct RobustAlignment {
   std::vector<std::size_t> inliers;  ///< ascending
 };
 
-/// RANSAC over 3-point samples, then refits on the inliers until they no longer change. Deterministic for a seed.
+/// RANSAC over 3-point samples, then refits on the inliers until they no longer change.
+/// Deterministic for a seed.
 /// @param max_error  residual of an inlier [unit of target]
 std::optional<RobustAlignment> alignSimilarityRobust(std::span<const Eigen::Vector3d> source,
                                                      std::span<const Eigen::Vector3d> target,

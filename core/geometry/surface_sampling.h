@@ -13,12 +13,12 @@
 namespace hydrabench {
 
 struct SurfaceSamples {
-  std::vector<Eigen::Vector3d> points;   ///< N x 3 [m]
-  std::vector<std::uint32_t> faces;      ///< face of each point
+  std::vector<Eigen::Vector3d> points;  ///< N x 3 [m]
+  std::vector<std::uint32_t> faces;     ///< face of each point
 };
 
-/// `count` points drawn uniformly by area, independent of how the surface is cut into triangles. Same seed, same points on every
-/// platform. Empty for a mesh without area.
+/// `count` points drawn uniformly by area, independent of how the surface is cut into triangles.
+/// Same seed, same points on every platform. Empty for a mesh without area.
 SurfaceSamples sampleSurface(const Mesh& mesh, std::size_t count, std::uint64_t seed);
 
 }  // namespace hydrabench

@@ -5,80 +5,73 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <memory>
+#include <limits>
 #include <mutex>
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "core/parallel/tbb_pool.h"
 
 namespace hydrabench {
 namespace {
 
-std::mutex g_mutex;
-int g_num_threads = 0;
-std::unique_ptr<tbb::global_control> g_limit;
-
-/// Keeps the exception of the lowest index, so that which error is reported does not depend on
-/// timing.
-class FirstError {
+/// One loop. The two counters tell a thread sanitizer what it cannot see in TBB: that starting a
+/// task and waiting for it order memory.
+class Loop {
  public:
-  void capture(std::size_t index) {
-    const std::lock_guard lock(mutex_);
-    if (!error_ || index < index_) {
-      error_ = std::current_exception();
-      index_ = index;
-    }
-  }
-  void rethrow() const {
+  Loop(std::size_t count, std::size_t grain,
+       const std::function<void(std::size_t, std::size_t)>& body)
+      : count_(count), grain_(grain), body_(body) {}
+
+  void run() {
+    const std::size_t num_ranges = (count_ - 1) / grain_ + 1;
+    started_.store(true, std::memory_order_release);
+    runOnPool(
+        num_ranges,
+        [](void* loop, std::size_t range) { static_cast<Loop*>(loop)->runRange(range); }, this);
+    num_done_.load(std::memory_order_acquire);
     if (error_) std::rethrow_exception(error_);
   }
 
  private:
+  void runRange(std::size_t range) {
+    started_.load(std::memory_order_acquire);
+    const std::size_t begin = range * grain_;
+    try {
+      body_(begin, std::min(count_, begin + grain_));
+    } catch (...) {
+      keepFirst(begin);
+    }
+    num_done_.fetch_add(1, std::memory_order_release);
+  }
+
+  /// Of several errors the one with the lowest index, so that which one is reported does not depend
+  /// on timing.
+  void keepFirst(std::size_t begin) {
+    const std::lock_guard lock(mutex_);
+    if (begin > error_begin_) return;
+    error_ = std::current_exception();
+    error_begin_ = begin;
+  }
+
+  const std::size_t count_;
+  const std::size_t grain_;
+  const std::function<void(std::size_t, std::size_t)>& body_;
+  std::atomic<bool> started_ = false;
+  std::atomic<std::size_t> num_done_ = 0;
   std::mutex mutex_;
   std::exception_ptr error_;
-  std::size_t index_ = 0;
+  std::size_t error_begin_ = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace
 
-void setNumThreads(int num_threads) {
-  const std::lock_guard lock(g_mutex);
-  g_num_threads = std::max(0, num_threads);
-  g_limit.reset();
-  if (g_num_threads > 0) {
-    g_limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                    static_cast<std::size_t>(g_num_threads));
-  }
-}
+void setNumThreads(int num_threads) { setPoolSize(num_threads); }
 
-int numThreads() {
-  const std::lock_guard lock(g_mutex);
-  return g_num_threads > 0 ? g_num_threads : tbb::info::default_concurrency();
-}
+int numThreads() { return poolSize(); }
 
 void parallelForRanges(std::size_t count, std::size_t grain,
                        const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
-  grain = std::max<std::size_t>(1, grain);
-  const std::size_t num_ranges = (count + grain - 1) / grain;
-  FirstError first_error;
-  const auto run = [&](std::size_t range) {
-    const std::size_t begin = range * grain;
-    try {
-      body(begin, std::min(count, begin + grain));
-    } catch (...) {
-      first_error.capture(begin);
-    }
-  };
-  if (num_ranges == 1 || numThreads() == 1) {
-    for (std::size_t range = 0; range < num_ranges; ++range) run(range);
-  } else {
-    tbb::parallel_for(std::size_t{0}, num_ranges, run);
-  }
-  first_error.rethrow();
+  Loop(count, std::max<std::size_t>(1, grain), body).run();
 }
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
@@ -86,6 +79,25 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
   parallelForRanges(count, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
+}
+
+void runOnThisThreadOnly(const std::function<void()>& body) {
+  // Kept here on the way through the arena, so that it leaves as it was thrown.
+  struct Call {
+    const std::function<void()>& body;
+    std::exception_ptr error;
+  } call{body, nullptr};
+  runAlone(
+      [](void* context) {
+        Call& self = *static_cast<Call*>(context);
+        try {
+          self.body();
+        } catch (...) {
+          self.error = std::current_exception();
+        }
+      },
+      &call);
+  if (call.error) std::rethrow_exception(call.error);
 }
 
 }  // namespace hydrabench
