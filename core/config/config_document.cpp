@@ -20,8 +20,6 @@ using NodePtr = Node::Ptr;
 using Kind = Node::Kind;
 using SourcePtr = std::shared_ptr<const ConfigSource>;
 
-constexpr int kOverrideOrder = 1 << 30;
-
 /// Copies yaml-cpp's tree into ours.
 class Converter {
  public:
@@ -34,7 +32,7 @@ class Converter {
     }
     auto node = std::make_shared<Node>();
     node->source = source_;
-    node->line = source_->order == kOverrideOrder ? 0 : yaml.Mark().line + 1;
+    node->line = source_->isOverride() ? 0 : yaml.Mark().line + 1;
     if (yaml.IsScalar()) {
       node->kind = Kind::kScalar;
       node->text = yaml.Scalar();
@@ -71,7 +69,8 @@ NodePtr parse(const std::string& yaml, const SourcePtr& source) {
   try {
     documents = YAML::LoadAll(yaml);
   } catch (const YAML::Exception& error) {
-    const std::string line = error.mark.is_null() ? "" : fmt::format(":{}", error.mark.line + 1);
+    const std::string line =
+        error.mark.is_null() || source->isOverride() ? "" : fmt::format(":{}", error.mark.line + 1);
     throw InputError(fmt::format("{}{}: not valid YAML: {}", source->name, line, error.msg));
   }
   if (documents.size() > 1) {
@@ -187,7 +186,7 @@ void ConfigDocument::set(const std::string& assignment) {
   auto source = std::make_shared<ConfigSource>();
   source->name = "--set " + key;
   source->folder = folder();
-  source->order = kOverrideOrder;
+  source->order = ConfigSource::kFirstOverride + num_overrides_++;
 
   root_ = std::make_shared<Node>(*root_);
   Node* node = root_.get();

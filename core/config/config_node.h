@@ -15,9 +15,13 @@ namespace hydrabench {
 
 /// Where a document came from; shared by all its nodes.
 struct ConfigSource {
+  static constexpr int kFirstOverride = 1'000'000;
+
   std::string name;
   std::filesystem::path folder;
-  int order = 0;  ///< the document 0, its bases 1, 2 ...; overrides last
+  int order = 0;  ///< the document 0, its bases 1, 2 ...; overrides from kFirstOverride on
+
+  bool isOverride() const { return order >= kFirstOverride; }
 };
 
 /// Our own tree instead of yaml-cpp's, because values of one document come from several files and

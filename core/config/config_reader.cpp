@@ -3,8 +3,6 @@
 #include "core/config/config_reader.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <concepts>
 #include <deque>
 #include <map>
@@ -14,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "core/config/config_node.h"
-#include "core/config/config_yaml.h"
+#include "core/config/config_value.h"
 #include "core/types/error.h"
 
 namespace hydrabench {
@@ -30,70 +28,11 @@ struct Fault {
   std::string text;
 };
 
-std::string found(const Node& node) {
-  switch (node.kind) {
-    case Kind::kScalar:
-      return node.quoted ? fmt::format("\"{}\"", node.text) : fmt::format("'{}'", node.text);
-    case Kind::kList:
-      return "a list";
-    case Kind::kMap:
-      return "a map";
-    case Kind::kNull:
-      break;
-  }
-  return "nothing";
-}
-
 std::string expectation(const Bounds& bounds) {
   const bool low = bounds.low > -1e300;
   const bool high = bounds.high < 1e300;
   if (low && high) return fmt::format("{} to {}", bounds.low, bounds.high);
   return low ? fmt::format("at least {}", bounds.low) : fmt::format("at most {}", bounds.high);
-}
-
-// Each parse() gives the value, or nullopt with what was expected.
-
-template <typename Number>
-std::optional<Number> parseNumber(const Node& node, std::string& expected) {
-  expected = std::floating_point<Number> ? "a finite number"
-             : std::unsigned_integral<Number>
-                 ? "a whole number from 0 on"
-                 : fmt::format("a whole number of {} bit", sizeof(Number) * 8);
-  if (node.kind != Kind::kScalar || node.quoted) return std::nullopt;
-  std::string_view text = node.text;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if constexpr (std::floating_point<Number>) {
-    if (!std::isfinite(number)) return std::nullopt;
-  }
-  return number;
-}
-void parse(const Node& node, std::optional<int>& value, std::string& expected) {
-  value = parseNumber<int>(node, expected);
-}
-void parse(const Node& node, std::optional<std::int64_t>& value, std::string& expected) {
-  value = parseNumber<std::int64_t>(node, expected);
-}
-void parse(const Node& node, std::optional<std::uint64_t>& value, std::string& expected) {
-  value = parseNumber<std::uint64_t>(node, expected);
-}
-void parse(const Node& node, std::optional<float>& value, std::string& expected) {
-  value = parseNumber<float>(node, expected);
-}
-void parse(const Node& node, std::optional<double>& value, std::string& expected) {
-  value = parseNumber<double>(node, expected);
-}
-void parse(const Node& node, std::optional<bool>& value, std::string& expected) {
-  expected = "true or false";
-  if (node.kind != Kind::kScalar || node.quoted) return;
-  if (node.text == "true" || node.text == "True" || node.text == "TRUE") value = true;
-  if (node.text == "false" || node.text == "False" || node.text == "FALSE") value = false;
-}
-void parse(const Node& node, std::optional<std::string>& value, std::string& expected) {
-  expected = "a word";
-  if (node.kind == Kind::kScalar) value = node.text;
 }
 
 }  // namespace
@@ -111,10 +50,9 @@ struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
   std::string path;  ///< "sensor.noise.", empty at the top
   NodePtr document;
   std::shared_ptr<std::vector<Fault>> faults;
-  std::shared_ptr<Impl> root;  ///< null at the top itself
+  std::weak_ptr<Impl>
+      root;  ///< the outermost reader; the document's tree of readers must not own itself
   std::deque<Declared> declared;
-
-  const Impl& top() const { return root ? *root : *this; }
 
   Declared& declare(std::string_view key) {
     for (Declared& entry : declared) {
@@ -127,8 +65,13 @@ struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
   NodePtr find(std::string_view key) const { return node ? node->member(key) : nullptr; }
 
   void addFault(const Node& at, std::string_view key, const std::string& message) {
-    faults->push_back(
-        {at.source->order, at.line, fmt::format("{}: {}{}: {}", at.place(), path, key, message)});
+    const std::string full_key = path + std::string(key);
+    const std::string place = at.place();
+    // "--set a.b" names the key already.
+    const bool named = at.source->isOverride() && place.ends_with(" " + full_key);
+    faults->push_back({at.source->order, at.line,
+                       named ? fmt::format("{}: {}", place, message)
+                             : fmt::format("{}: {}: {}", place, full_key, message)});
   }
 
   std::shared_ptr<Impl> nested(const NodePtr& map, const std::string& prefix) {
@@ -137,7 +80,7 @@ struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
     impl->path = path + prefix + ".";
     impl->document = document;
     impl->faults = faults;
-    impl->root = root ? root : shared_from_this();
+    impl->root = path.empty() ? weak_from_this() : root;
     return impl;
   }
 
@@ -215,9 +158,9 @@ struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
     return "";
   }
 
-  void collectUnknownKeys() {
+  void collectUnknownKeys(const Impl& top) {
     for (const Declared& entry : declared) {
-      for (const auto& reader : entry.readers) reader->collectUnknownKeys();
+      for (const auto& reader : entry.readers) reader->collectUnknownKeys(top);
     }
     if (!node) return;
     for (const auto& [key, value] : node->members) {
@@ -225,7 +168,7 @@ struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
       std::string guess = didYouMean(key, known);
       if (!guess.empty()) guess = path + guess;
-      if (guess.empty()) guess = top().elsewhere(key);
+      if (guess.empty()) guess = top.elsewhere(key);
       addFault(*value, key,
                guess.empty()
                    ? fmt::format("unknown key, expected one of: {}", fmt::join(known, ", "))
@@ -380,10 +323,15 @@ void ConfigReader::fault(std::string_view key, const std::string& message) {
 }
 
 void ConfigReader::finish() {
-  Impl& top = impl_->root ? *impl_->root : *impl_;
-  top.collectUnknownKeys();
-  std::vector<Fault> faults = std::move(*top.faults);
-  top.faults->clear();
+  const std::shared_ptr<Impl> outermost = impl_->root.lock();
+  Impl& top = outermost ? *outermost : *impl_;
+  top.collectUnknownKeys(top);
+  throwFaults();
+}
+
+void ConfigReader::throwFaults() {
+  std::vector<Fault> faults = std::move(*impl_->faults);
+  impl_->faults->clear();
   if (faults.empty()) return;
   std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
     return std::pair(a.source_order, a.line) < std::pair(b.source_order, b.line);

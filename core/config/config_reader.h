@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include <Eigen/Core>
-
 namespace hydrabench {
 
 /// A YAML document with the place each value came from, plus overrides from the command line.
@@ -37,6 +35,7 @@ class ConfigDocument {
 
  private:
   std::shared_ptr<Node> root_;
+  int num_overrides_ = 0;
 };
 
 /// Reads a document into a struct. Every key is declared once, with unit and bounds; all faults are
@@ -88,6 +87,10 @@ class ConfigReader {
   /// Throws InputError with every fault of this document, unknown keys included. Call on the
   /// outermost reader.
   void finish();
+
+  /// Throws the faults found so far without looking for unknown keys: for a fault that leaves open
+  /// which keys there should be.
+  void throwFaults();
 
   /// The document with every declared key at its resolved value, as YAML in declaration order:
   /// written beside every result.

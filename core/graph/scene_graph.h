@@ -20,7 +20,8 @@ struct ObjectNode {
   Label label = kUnknownLabel;
   std::string name;
   Transform T_world_object = Transform::Identity();
-  double scale = 1;  ///< metric size of the canonical shape; 1 where the method has no such notion. Already applied to `mesh`.
+  double scale = 1;  ///< metric size of the canonical shape; 1 where the method has no such notion.
+                     ///< Already applied to `mesh`.
   Mesh mesh;         ///< world frame [m]. May be empty: then `box` is all there is.
   Aabb box;          ///< world frame; the box of the mesh where there is one
   std::int64_t first_observed_ns = 0;
@@ -30,8 +31,8 @@ struct ObjectNode {
 struct SceneGraph {
   LabelSpace label_space;
   std::vector<ObjectNode> objects;
-  Mesh scene_mesh;                     ///< world frame [m]; may be empty
-  std::vector<Label> scene_labels;     ///< per vertex of scene_mesh, or empty
+  Mesh scene_mesh;                  ///< world frame [m]; may be empty
+  std::vector<Label> scene_labels;  ///< per vertex of scene_mesh, or empty
 };
 
 /// What a mapping system leaves behind, and what evaluation reads.

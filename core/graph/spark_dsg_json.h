@@ -8,19 +8,23 @@
 
 namespace hydrabench {
 
-/// Objects and scene mesh in the JSON of spark_dsg 1.1.3, which Hydra and Khronos write and read themselves. Mesh points of an object
-/// stand relative to the centre of its box. Reading accepts AABB, OBB and RAABB boxes, ObjectNodeAttributes without a mesh, and
-/// mesh_connections into the scene mesh (Hydra). Throws InputError naming file, node and field for: a missing header, duplicate or
-/// non-integer ids, faces out of range, non-finite numbers, a label that is no integer.
+/// Objects and scene mesh in the JSON of spark_dsg 1.1.3, which Hydra and Khronos write and read
+/// themselves. Mesh points of an object stand relative to the centre of its box. Reading accepts
+/// AABB, OBB and RAABB boxes, ObjectNodeAttributes without a mesh, and mesh_connections into the
+/// scene mesh (Hydra). Throws InputError naming file, node and field for: a missing header,
+/// duplicate or non-integer ids, faces out of range, non-finite numbers, a label that is no
+/// integer.
 SceneGraph readSparkDsg(const std::filesystem::path& path);
 
-/// Atomic. Ids are 64-bit integers in the text; doubles are written so that they read back bit-equal.
+/// Atomic. Ids are 64-bit integers in the text; doubles are written so that they read back
+/// bit-equal.
 void writeSparkDsg(const std::filesystem::path& path, const SceneGraph& graph);
 
 /// Node id with the symbol of the objects layer: ('O' << 56) | index.
 ObjectId objectNodeId(std::uint64_t index);
 
-/// Prediction folder: scene_graph.json (and prediction.json with the method's name). A bare scene_graph.json is accepted as well.
+/// Prediction folder: scene_graph.json (and prediction.json with the method's name). A bare
+/// scene_graph.json is accepted as well.
 Prediction readPrediction(const std::filesystem::path& path);
 void writePrediction(const std::filesystem::path& folder, const Prediction& prediction);
 

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/atomic_file.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <mutex>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -42,6 +45,42 @@ void makeFolder(const fs::path& folder) {
   if (error) cannotWrite(folder, error.message());
 }
 
+/// Folders that are being filled: their files need not reach the disk before commit().
+class OpenFolders {
+ public:
+  void add(const fs::path& folder) {
+    const std::lock_guard lock(mutex_);
+    folders_.push_back(folder.string() + "/");
+  }
+  void remove(const fs::path& folder) {
+    const std::lock_guard lock(mutex_);
+    std::erase(folders_, folder.string() + "/");
+  }
+  bool contain(const fs::path& file) {
+    const std::string name = file.string();
+    const std::lock_guard lock(mutex_);
+    return std::any_of(folders_.begin(), folders_.end(),
+                       [&](const std::string& folder) { return name.starts_with(folder); });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::string> folders_;
+};
+OpenFolders& openFolders() {
+  static OpenFolders folders;
+  return folders;
+}
+
+/// Everything below `folder` (and whatever else its file system holds back) to the disk.
+void flushFolder(const fs::path& folder) {
+  const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) cannotWrite(folder, reason(errno));
+  const int error = ::syncfs(handle) == 0 ? 0 : errno;
+  ::close(handle);
+  if (error != 0 && error != EINVAL) cannotWrite(folder, reason(error));
+}
+
 /// A file being written; removed unless it was renamed.
 class TemporaryFile {
  public:
@@ -69,7 +108,8 @@ class TemporaryFile {
   /// Some file systems report a full disk only when the data is flushed or the file closed.
   void finish() {
     // EINVAL: a file system that cannot flush; there is nothing more to be done then.
-    if (::fsync(file_) != 0 && errno != EINVAL) cannotWrite(final_path_, reason(errno));
+    const bool flush = !openFolders().contain(final_path_);
+    if (flush && ::fsync(file_) != 0 && errno != EINVAL) cannotWrite(final_path_, reason(errno));
     if (::close(std::exchange(file_, -1)) != 0) cannotWrite(final_path_, reason(errno));
     if (::rename(path_.c_str(), final_path_.c_str()) != 0) cannotWrite(final_path_, reason(errno));
     renamed_ = true;
@@ -134,15 +174,18 @@ AtomicFolder::AtomicFolder(fs::path path, bool replace)
   }
   temporary_ = temporaryBeside(path_);
   makeFolder(temporary_);
+  openFolders().add(temporary_);
 }
 
 AtomicFolder::~AtomicFolder() {
+  openFolders().remove(temporary_);
   std::error_code ignored;
   if (!committed_) fs::remove_all(temporary_, ignored);
 }
 
 void AtomicFolder::commit() {
   std::error_code ignored;
+  flushFolder(temporary_);
   // A plain rename replaces a missing or empty folder; a filled one changes places with ours, so
   // that at every moment one of the two stands complete under the final name.
   if (::rename(temporary_.c_str(), path_.c_str()) == 0) {

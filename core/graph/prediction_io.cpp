@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "core/graph/json_text.h"
+#include "core/graph/spark_dsg_json.h"
+#include "core/io/atomic_file.h"
+#include "core/io/json_field.h"
+
+namespace hydrabench {
+namespace fs = std::filesystem;
+
+namespace {
+constexpr const char* kGraphFile = "scene_graph.json";
+constexpr const char* kPredictionFile = "prediction.json";
+}  // namespace
+
+Prediction readPrediction(const fs::path& path) {
+  Prediction prediction;
+  const bool is_folder = fs::is_directory(path);
+  if (path.extension() == ".sparkdsg") {
+    throw InputError(
+        fmt::format("{}: the binary format of spark_dsg, expected its JSON; save the "
+                    "graph there under a name that ends in .json",
+                    path.string()));
+  }
+  const fs::path graph_file = is_folder ? path / kGraphFile : path;
+  const fs::path folder = fs::absolute(graph_file).lexically_normal().parent_path();
+  if (is_folder && !fs::exists(graph_file)) {
+    throw InputError(fmt::format("{}: no {} in this folder", path.string(), kGraphFile));
+  }
+  prediction.graph = readSparkDsg(graph_file);
+  // Without prediction.json (a file of Hydra or Khronos) the name people gave to folder or file has
+  // to serve.
+  prediction.method =
+      graph_file.filename() == kGraphFile ? folder.filename().string() : graph_file.stem().string();
+  if (graph_file.filename() == kGraphFile && fs::exists(folder / kPredictionFile)) {
+    const fs::path description = folder / kPredictionFile;
+    const nlohmann::json json = parseJsonFile(description);
+    prediction.method = JsonField(json, description.string() + ": ").at("method").text();
+  }
+  return prediction;
+}
+
+void writePrediction(const fs::path& folder, const Prediction& prediction) {
+  AtomicFolder result(folder);
+  writeSparkDsg(result.temporary() / kGraphFile, prediction.graph);
+  JsonText json;
+  json.beginObject().member("method", prediction.method).endObject().newline();
+  writeFileAtomic(result.temporary() / kPredictionFile, json.text());
+  result.commit();
+}
+
+}  // namespace hydrabench
