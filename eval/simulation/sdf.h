@@ -11,8 +11,8 @@
 
 namespace hydrabench {
 
-/// A node of a signed-distance tree. Negative inside. Lipschitz with constant 1, so that |value| never exceeds the distance to the
-/// surface: empty space may be skipped by it.
+/// A node of a signed-distance tree. Negative inside. Lipschitz with constant 1, so that |value|
+/// never exceeds the distance to the surface: empty space may be skipped by it.
 class Sdf {
  public:
   virtual ~Sdf() = default;

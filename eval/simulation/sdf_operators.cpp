@@ -27,12 +27,17 @@ class Union final : public Sdf {
     }
   }
   double value(const Vector3d& p) const override {
-    // A child counts with the larger of its value and the distance to its box, both lower bounds of the true distance: so skipping
-    // by the box changes nothing, even where a child's own value is a loose bound.
+    // Outside its box a child counts with the larger of its value and the distance to the box, both
+    // lower bounds of the true distance: so skipping by the box changes nothing, even where a
+    // child's own value is a loose bound.
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < children_.size(); ++i) {
-      const double to_box = std::sqrt(boxes_[i].squaredExteriorDistance(p));
-      if (to_box < best) best = std::min(best, std::max(to_box, children_[i]->value(p)));
+      const double squared_to_box = boxes_[i].squaredExteriorDistance(p);
+      if (squared_to_box <= 0) {
+        best = std::min(best, children_[i]->value(p));
+      } else if (best > 0 && squared_to_box < best * best) {
+        best = std::min(best, std::max(std::sqrt(squared_to_box), children_[i]->value(p)));
+      }
     }
     return best;
   }
@@ -80,6 +85,24 @@ class Intersection final : public Sdf {
   SdfPtr b_;
 };
 
+class SmoothIntersection final : public Sdf {
+ public:
+  SmoothIntersection(SdfPtr a, SdfPtr b, double blend)
+      : a_(std::move(a)), b_(std::move(b)), blend_(blend) {}
+  double value(const Vector3d& p) const override {
+    const double a = a_->value(p);
+    const double b = b_->value(p);
+    const double overlap = std::max(blend_ - std::abs(a - b), 0.0);
+    return std::max(a, b) + overlap * overlap / (4 * blend_);
+  }
+  Aabb bounds() const override { return a_->bounds().intersection(b_->bounds()); }
+
+ private:
+  SdfPtr a_;
+  SdfPtr b_;
+  double blend_;
+};
+
 class Difference final : public Sdf {
  public:
   Difference(SdfPtr from, SdfPtr what) : from_(std::move(from)), what_(std::move(what)) {}
@@ -107,6 +130,21 @@ class Shell final : public Sdf {
   double half_thickness_;
 };
 
+class Inflated final : public Sdf {
+ public:
+  Inflated(SdfPtr shape, double distance) : shape_(std::move(shape)), distance_(distance) {}
+  double value(const Vector3d& p) const override { return shape_->value(p) - distance_; }
+  Aabb bounds() const override {
+    const Aabb box = shape_->bounds();
+    const Vector3d margin = Vector3d::Constant(distance_);
+    return {box.min() - margin, box.max() + margin};
+  }
+
+ private:
+  SdfPtr shape_;
+  double distance_;
+};
+
 class Placed final : public Sdf {
  public:
   Placed(const Transform& T_parent_child, SdfPtr child)
@@ -128,7 +166,8 @@ class Placed final : public Sdf {
 }  // namespace
 
 Vector3d sdfNormal(const Sdf& sdf, const Vector3d& p) {
-  constexpr double kStep = 1e-5;  // [m], small against every rounding, large against double's rounding
+  constexpr double kStep =
+      1e-5;  // [m], small against every rounding, large against double's rounding
   Vector3d gradient;
   for (int i = 0; i < 3; ++i) {
     const Vector3d step = kStep * Vector3d::Unit(i);
@@ -138,9 +177,7 @@ Vector3d sdfNormal(const Sdf& sdf, const Vector3d& p) {
   return length > 0 ? Vector3d(gradient / length) : Vector3d::UnitZ();
 }
 
-SdfPtr unite(std::vector<SdfPtr> children) {
-  return std::make_shared<Union>(std::move(children));
-}
+SdfPtr unite(std::vector<SdfPtr> children) { return std::make_shared<Union>(std::move(children)); }
 
 SdfPtr smoothUnion(SdfPtr a, SdfPtr b, double blend) {
   assert(blend > 0);
@@ -151,12 +188,21 @@ SdfPtr intersect(SdfPtr a, SdfPtr b) {
   return std::make_shared<Intersection>(std::move(a), std::move(b));
 }
 
+SdfPtr smoothIntersection(SdfPtr a, SdfPtr b, double blend) {
+  assert(blend > 0);
+  return std::make_shared<SmoothIntersection>(std::move(a), std::move(b), blend);
+}
+
 SdfPtr subtract(SdfPtr from, SdfPtr what) {
   return std::make_shared<Difference>(std::move(from), std::move(what));
 }
 
 SdfPtr shell(SdfPtr shape, double thickness) {
   return std::make_shared<Shell>(std::move(shape), thickness);
+}
+
+SdfPtr inflated(SdfPtr shape, double distance) {
+  return std::make_shared<Inflated>(std::move(shape), distance);
 }
 
 SdfPtr placed(const Transform& T_parent_child, SdfPtr child) {

@@ -11,17 +11,23 @@
 
 namespace hydrabench {
 
-/// Operators on signed distances. Each keeps the Lipschitz constant of 1: minima, maxima and convex blends of such functions, and
-/// rigid motions.
+/// Operators on signed distances. Each keeps the Lipschitz constant of 1: minima, maxima and convex
+/// blends of such functions, and rigid motions.
 
 /// Children far away are skipped by their boxes; the value does not depend on the order.
 SdfPtr unite(std::vector<SdfPtr> children);
 /// Quadratic blend; surfaces closer than `blend` [m] in value flow into each other.
 SdfPtr smoothUnion(SdfPtr a, SdfPtr b, double blend);
 SdfPtr intersect(SdfPtr a, SdfPtr b);
+/// Intersection with rounded edges; the shape keeps within both.
+SdfPtr smoothIntersection(SdfPtr a, SdfPtr b, double blend);
 SdfPtr subtract(SdfPtr from, SdfPtr what);
-/// The skin of a shape: all points inside it and within `thickness` of its surface (as the tree measures it).
+/// The skin of a shape: all points inside it and within `thickness` of its surface (as the tree
+/// measures it).
 SdfPtr shell(SdfPtr shape, double thickness);
+
+/// All points within `distance` [m] of the shape: edges become round.
+SdfPtr inflated(SdfPtr shape, double distance);
 
 SdfPtr placed(const Transform& T_parent_child, SdfPtr child);
 SdfPtr moved(SdfPtr child, const Eigen::Vector3d& translation);

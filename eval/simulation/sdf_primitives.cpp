@@ -19,7 +19,8 @@ Aabb boxAround(const Vector3d& a, const Vector3d& b, double margin) {
   return {a.cwiseMin(b) - Vector3d::Constant(margin), a.cwiseMax(b) + Vector3d::Constant(margin)};
 }
 
-/// Distance to the corner region of two half-planes at distances (a, b) along orthogonal directions.
+/// Distance to the corner region of two half-planes at distances (a, b) along orthogonal
+/// directions.
 double cornerDistance(double a, double b) {
   return std::min(std::max(a, b), 0.0) + std::hypot(std::max(a, 0.0), std::max(b, 0.0));
 }
@@ -32,13 +33,15 @@ class Ellipsoid final : public Sdf {
   }
 
   double value(const Vector3d& world) const override {
-    // Symmetric: the first octant is enough. A tiny positive floor keeps the equation below regular on the symmetry planes.
+    // Symmetric: the first octant is enough. A tiny positive floor keeps the equation below regular
+    // on the symmetry planes.
     const Vector3d p = (world - center_).cwiseAbs().cwiseMax(1e-12 * smallest_);
     const Vector3d rp = radii_.cwiseProduct(p);
     const Vector3d gap =
         radii_.cwiseAbs2() - Vector3d::Constant(smallest_ * smallest_);  // of the squared radii
-    // The nearest point is x_i = r_i^2 p_i / (s + gap_i) with sum (r_i p_i / (s + gap_i))^2 = 1. The sum falls and is convex in
-    // s > 0; at the start one of its terms is 1, so Newton's steps climb to the root and never pass it.
+    // The nearest point is x_i = r_i^2 p_i / (s + gap_i) with sum (r_i p_i / (s + gap_i))^2 = 1.
+    // The sum falls and is convex in s > 0; at the start one of its terms is 1, so Newton's steps
+    // climb to the root and never pass it.
     double s = (rp - gap).maxCoeff();
     for (int iteration = 0; iteration < 40; ++iteration) {
       double excess = -1;
@@ -296,7 +299,8 @@ SdfPtr revolution(SdfProfilePtr profile, double rounding) {
 
 SdfPtr frustum(const Vector3d& bottom_center, double bottom_radius, double top_radius,
                double height, double rounding) {
-  // The polygon reaches across the axis, so that the axis itself is no edge; its sides are moved in by the rounding.
+  // The polygon reaches across the axis, so that the axis itself is no edge; its sides are moved in
+  // by the rounding.
   const double slope = (top_radius - bottom_radius) / height;
   const double inset = rounding * std::sqrt(1 + slope * slope);
   const auto radiusAt = [&](double z) { return bottom_radius + slope * z - inset; };

@@ -11,10 +11,12 @@
 
 namespace hydrabench {
 
-/// Primitives. All distances are exact, inside and outside. Rounding is the radius of the edges [m]; it lies within the dimensions.
+/// Primitives. All distances are exact, inside and outside. Rounding is the radius of the edges
+/// [m]; it lies within the dimensions.
 
 SdfPtr sphere(const Eigen::Vector3d& center, double radius);
-/// By Newton's method on the Lagrange multiplier of the nearest point (Eberly, "Distance from a point to an ellipse or ellipsoid").
+/// By Newton's method on the Lagrange multiplier of the nearest point (Eberly, "Distance from a
+/// point to an ellipse or ellipsoid").
 SdfPtr ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& radii);
 SdfPtr roundedBox(const Eigen::Vector3d& center, const Eigen::Vector3d& dimensions,
                   double rounding);
@@ -29,7 +31,8 @@ SdfPtr cylinder(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiu
 /// Ring around the z direction.
 SdfPtr torus(const Eigen::Vector3d& center, double ring_radius, double tube_radius);
 
-/// A profile drawn along an axis, centred on 0. Profile coordinates are the other two axes in order: (y, z), (x, z) or (x, y).
+/// A profile drawn along an axis, centred on 0. Profile coordinates are the other two axes in
+/// order: (y, z), (x, z) or (x, y).
 enum class Axis { kX, kY, kZ };
 SdfPtr extrusion(SdfProfilePtr profile, Axis axis, double length, double rounding);
 /// A profile (distance from the z axis, z) turned around the z axis.

@@ -79,8 +79,7 @@ class Polygon final : public SdfProfile {
 
 class Stroke final : public SdfProfile {
  public:
-  Stroke(Polyline points, double half_width)
-      : points_(std::move(points)), half_width_(half_width) {
+  Stroke(Polyline points, double half_width) : points_(std::move(points)), half_width_(half_width) {
     assert(points_.size() > 1);
   }
   double value(const Vector2d& p) const override {

@@ -9,7 +9,8 @@
 
 namespace hydrabench {
 
-/// Signed distance to a figure in the plane, exact, negative inside; the cross-section of extrusions and solids of revolution.
+/// Signed distance to a figure in the plane, exact, negative inside; the cross-section of
+/// extrusions and solids of revolution.
 class SdfProfile {
  public:
   virtual ~SdfProfile() = default;

@@ -3,67 +3,67 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "core/geometry/mesh.h"
 #include "core/types/random.h"
+#include "eval/simulation/material.h"
+#include "eval/simulation/sdf.h"
 
 namespace hydrabench {
 
-/// A node of a signed-distance tree. Negative inside. Lipschitz with constant 1, so that |value| bounds the distance to the surface.
-class Sdf {
- public:
-  virtual ~Sdf() = default;
-  virtual double value(const Eigen::Vector3d& p) const = 0;
-  virtual Aabb bounds() const = 0;
-};
-using SdfPtr = std::shared_ptr<const Sdf>;
-
-/// What a surface looks like; procedural textures are evaluated at object coordinates.
-struct Material {
-  enum class Pattern { kPlain, kNoise, kWood, kStripes, kTiles, kLeaves, kFabric, kScreen };
-  Rgb color;
-  Rgb second_color;
-  Pattern pattern = Pattern::kPlain;
-  double pattern_size_m = 0.1;
-};
-
-/// A part of one material. The object is the union of its parts; the material of a surface point is that of the nearest part.
+/// A part of one material. The object is the union of its parts; the material of a surface point is
+/// that of the nearest part.
 struct ShapePart {
   SdfPtr sdf;
   Material material;
 };
 
-/// One object of a family with its own proportions. Object frame: origin on the floor below the centre of the footprint, z up, x to
-/// the front (the way a person on the chair or couch looks; the side of a screen or a dispenser's tap).
+/// One object of a family with its own proportions. Object frame: origin on the floor below the
+/// centre of the footprint, z up, x to the front (the way a person on the chair or couch looks; the
+/// side of a screen or a dispenser's tap).
 struct ShapeInstance {
   std::string family;
   std::vector<ShapePart> parts;
-  SdfPtr sdf;          ///< union of the parts
-  int yaw_symmetry = 1;  ///< looks the same every 360/n degrees; 0: for any yaw
+  SdfPtr sdf;                ///< union of the parts
+  int yaw_symmetry = 1;      ///< looks the same every 360/n degrees; 0: for any yaw
+  double thinnest_m = 0.02;  ///< smallest thickness of any part: what the mesh must resolve
 };
 
-/// A parametric family of shapes. `size` classes (small, large) and styles are families of their own.
+/// A parametric family of shapes. `size` classes (small, large) and styles are families of their
+/// own.
 struct ShapeFamily {
-  std::string name;        ///< "office_chair_arms"
-  std::string class_name;  ///< "chair"
-  ShapeInstance (*draw)(Random random);
-  ShapeInstance (*nominal)();  ///< all parameters at the middle of their range: the canonical template of the family
+  std::string name;                      ///< "office_chair_arms"
+  std::string class_name;                ///< "chair"
+  ShapeInstance (*draw)(Random random);  ///< a function of the random stream alone
+  ShapeInstance (*nominal)();  ///< all parameters at the middle of their range: the canonical
+                               ///< template of the family
 };
 
-/// Every family, indoor and (issue E) outdoor, in fixed order.
+/// Every family in fixed order, grouped by class: chair, couch, plant, bin, computer, then unscored
+/// furniture.
 const std::vector<ShapeFamily>& shapeFamilies();
 const ShapeFamily& shapeFamily(const std::string& name);  ///< aborts for an unknown name
 
 struct SurfaceMesh {
-  Mesh mesh;                             ///< watertight; vertices on the zero set; float-exact coordinates
+  Mesh mesh;  ///< watertight; vertices on the zero set; float-exact coordinates
   std::vector<std::uint16_t> face_part;  ///< index into parts, per face
 };
-/// Mesh of the zero set at a resolution fit for the instance's thinnest parts, decimated where flat.
+/// Mesh of the zero set at a resolution fit for the instance's thinnest parts, decimated where
+/// flat; face edges follow the borders between materials. Closed, oriented, manifold, one piece.
 SurfaceMesh meshInstance(const ShapeInstance& instance);
+
+/// Instances for training, for validation and for evaluation never share a seed: the split is the
+/// top two bits of the seed, the index the other 62 (more than that aborts). Draw with
+/// `family.draw(Random(instanceSeed(split, index)))`.
+enum class InstanceSplit : std::uint8_t { kEvaluation = 0, kTraining = 1, kValidation = 2 };
+inline constexpr std::uint64_t kMaxInstanceIndex = (std::uint64_t{1} << 62) - 1;
+std::uint64_t instanceSeed(InstanceSplit split, std::uint64_t index);
+/// An index within the range, scattered over all of it: for worlds that number their objects by
+/// (world seed, object number).
+constexpr std::uint64_t instanceIndex(std::uint64_t world_seed, std::uint64_t object_number) {
+  return hashSeed(world_seed, object_number) & kMaxInstanceIndex;
+}
 
 }  // namespace hydrabench
