@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/app/app.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <utility>
@@ -117,6 +118,16 @@ int runApp(int argc, const char* const* argv) {
     return kBadInput;
   }
   if (arguments.front() == "--version") arguments.front() = "version";
+
+  // CLI11 would only say that a subcommand is missing.
+  const std::string& first = arguments.front();
+  const std::vector<std::string> words = knownWords(app);
+  if (!first.starts_with("-") && std::find(words.begin(), words.end(), first) == words.end()) {
+    const std::string guess = didYouMean(first, words);
+    fmt::print(stderr, "hydrabench: unknown command '{}'{}\nTry 'hydrabench --help'.\n", first,
+               guess.empty() ? "" : fmt::format("; did you mean '{}'?", guess));
+    return kBadInput;
+  }
 
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());

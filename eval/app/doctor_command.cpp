@@ -11,7 +11,6 @@
 #include "core/geometry/raycaster.h"
 #include "core/parallel/parallel_for.h"
 #include "eval/app/app.h"
-#include "eval/datasets/data_root.h"
 #include "eval/experiment/provenance.h"
 
 namespace hydrabench {
@@ -51,13 +50,14 @@ int doctor() {
   check("temporary folder", !error && space.available > (std::uintmax_t{1} << 30),
         error ? error.message()
               : fmt::format("{:.1f} GiB free", static_cast<double>(space.available) / (1 << 30)));
-  check("ray casting", raysHit(), Raycaster::engine());
+  check("ray casting", raysHit(), "Embree");
 
   // What is missing below costs a comparison or a dataset, not the tool.
-  const std::filesystem::path data = dataRoot();
-  line("third-party data",
-       data.empty() ? "none; set HYDRABENCH_DATA to the folder to use servicesim, 7-Scenes and APC"
-                    : data.string());
+  const char* data = std::getenv("HYDRABENCH_DATA");
+  line("third-party data", data && std::filesystem::is_directory(data)
+                               ? data
+                               : "none: set HYDRABENCH_DATA to its folder for the servicesim, "
+                                 "7-Scenes and APC datasets");
   for (const char* module : {"scipy", "open3d"}) {
     line(fmt::format("python3-{}", module),
          commandSucceeds(fmt::format("/usr/bin/python3 -c 'import {}'", module))

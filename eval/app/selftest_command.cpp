@@ -8,10 +8,12 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "core/graph/spark_dsg_json.h"
 #include "core/types/error.h"
 #include "eval/app/app.h"
 #include "eval/app/evaluation_setup.h"
 #include "eval/evaluation/self_test.h"
+#include "eval/oracles/ground_truth_prediction.h"
 #include "eval/report/result_folder.h"
 
 namespace hydrabench {
@@ -20,6 +22,7 @@ namespace {
 struct Options {
   std::filesystem::path dataset;
   std::filesystem::path out;
+  std::filesystem::path prediction;
   std::vector<std::string> overrides;
 };
 
@@ -47,6 +50,11 @@ int selftest(const Options& options) {
     writeResult(options.out, result, true);
     fmt::print("wrote {}\n", options.out.string());
   }
+  if (!options.prediction.empty()) {
+    writePrediction(options.prediction,
+                    groundTruthPrediction(dataset.labelSpace(), dataset.groundTruth()));
+    fmt::print("wrote {}\n", options.prediction.string());
+  }
   fmt::print("selftest {}\n", passed ? "passed" : "FAILED");
   return passed ? kDone : kGateFailed;
 }
@@ -61,6 +69,10 @@ Command addSelftest(CLI::App& app) {
   app.add_option("--out", options->out,
                  "also write the result folder of ground truth against itself")
       ->type_name("RESULT");
+  app.add_option(
+         "--prediction", options->prediction,
+         "also write ground truth as a prediction folder: an example of what evaluate reads")
+      ->type_name("DIR");
   addOverrides(app, options->overrides, "dataset.seed=7");
   app.footer(
       "Works on your own dataset too: what fails here would have spoilt every score on it.\n"

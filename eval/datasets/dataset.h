@@ -20,13 +20,15 @@ namespace hydrabench {
 struct GroundTruthObject {
   ObjectId id = 0;
   Label label = kUnknownLabel;
-  std::string name;      ///< "chair_007"
-  std::string subtype;   ///< "office_chair_arms"; empty where unknown
-  std::string room;      ///< "meeting_1"; empty where unknown
+  std::string name;     ///< "chair_007"
+  std::string subtype;  ///< "office_chair_arms"; empty where unknown
+  std::string room;     ///< "meeting_1"; empty where unknown
   Transform T_world_object = Transform::Identity();
-  std::shared_ptr<const Mesh> mesh;  ///< object frame [m]
-  double visible_fraction = 1;       ///< share of the surface that some frame of the sequence saw, in [0, 1]
-  bool scored = true;                ///< false: neither a hit nor a miss counts (furniture, structure)
+  std::shared_ptr<const Mesh>
+      mesh;  ///< object frame [m]; exact in float, which is what mesh files hold
+  double visible_fraction =
+      1;               ///< share of the surface that some frame of the sequence saw, in [0, 1]
+  bool scored = true;  ///< false: neither a hit nor a miss counts (furniture, structure)
 };
 
 struct Room {
@@ -41,13 +43,14 @@ struct StampedPose {
 
 struct GroundTruth {
   std::vector<GroundTruthObject> objects;
-  Mesh scene_mesh;                      ///< world frame: everything, objects included
-  std::vector<Room> rooms;              ///< empty where unknown
+  Mesh scene_mesh;          ///< world frame: everything, objects included; exact in float
+  std::vector<Room> rooms;  ///< empty where unknown
   std::vector<StampedPose> trajectory;  ///< without odometry drift
 };
 
-/// A sequence of frames with ground truth. Frames are made or read one at a time: a sequence never has to fit into memory.
-/// Frames may be asked for in any order and give the same bytes each time.
+/// A sequence of frames with ground truth. Frames are made or read one at a time: a sequence never
+/// has to fit into memory. Frames may be asked for in any order, from several threads at once, and
+/// give the same bytes each time.
 class Dataset {
  public:
   virtual ~Dataset() = default;
@@ -56,7 +59,8 @@ class Dataset {
   virtual const LabelSpace& labelSpace() const = 0;
   virtual const Camera& camera() const = 0;
   virtual std::size_t numFrames() const = 0;
-  virtual RgbdFrame frame(std::size_t index) const = 0;  ///< throws InputError naming the file at fault
+  virtual RgbdFrame frame(
+      std::size_t index) const = 0;  ///< throws InputError naming the file at fault
   /// What the evaluation compares with. Never handed to a method.
   virtual const GroundTruth& groundTruth() const = 0;
   /// False where the dataset has no trustworthy objects to score against (real recordings).

@@ -12,8 +12,9 @@
 
 namespace hydrabench {
 
-/// Opens the dataset a YAML file (configs/datasets/*.yaml) describes; its `type` picks the reader from one table: simulated, folder,
-/// placed_meshes, seven_scenes, apc2016. `overrides` are key=value. Throws InputError.
+/// Opens the dataset a YAML file (configs/datasets/*.yaml) describes; its `type` picks the reader
+/// from one table: simulated, folder, placed_meshes, seven_scenes, apc2016. `overrides` are
+/// key=value. Throws InputError.
 struct OpenedDataset {
   std::unique_ptr<Dataset> dataset;
   std::string resolved_config;  ///< YAML with every key at its value

@@ -17,7 +17,8 @@ struct RoomSpec {
   bool passage;      ///< open doorway without a leaf
 };
 
-/// One row of rooms between y_low and y_high, with their doors in the wall towards the corridor and windows in the other.
+/// One row of rooms between y_low and y_high, with their doors in the wall towards the corridor and
+/// windows in the other.
 void addRow(const std::vector<RoomSpec>& specs, double length, double y_low, double y_high,
             bool corridor_above, Random random, FloorPlan& plan, FloorPlan::Wall& corridor_wall,
             FloorPlan::Wall& outer_wall) {
@@ -35,9 +36,9 @@ void addRow(const std::vector<RoomSpec>& specs, double length, double y_low, dou
     const double right = i + 1 == specs.size() ? kOuterWall_m / 2 : kInnerWall_m / 2;
     const double below = corridor_above ? kOuterWall_m / 2 : kInnerWall_m / 2;
     const double above = corridor_above ? kInnerWall_m / 2 : kOuterWall_m / 2;
-    const Rect cell({x, y_low}, {next, y_high});
+    const Rect cell = makeRect(x, y_low, next, y_high);
     plan.rooms.push_back({specs[i].name, specs[i].kind, cell,
-                          Rect({x + left, y_low + below}, {next - right, y_high - above})});
+                          makeRect(x + left, y_low + below, next - right, y_high - above)});
 
     // Doors stand near a corner, so that the leaf rests along the side wall.
     const double door = specs[i].passage ? random.uniform(1.5, 1.8) : random.uniform(0.95, 1.1);
@@ -70,17 +71,25 @@ void addRow(const std::vector<RoomSpec>& specs, double length, double y_low, dou
   }
 }
 
+/// [m]
+struct Measures {
+  double length;
+  double south_depth;
+  double corridor;
+  double north_depth;
+};
+
 FloorPlan drawPlan(const std::vector<RoomSpec>& south, const std::vector<RoomSpec>& north,
-                   double length, double south_depth, double corridor, double north_depth,
-                   Random random) {
+                   const Measures& measures, Random random) {
+  const double length = measures.length;
   FloorPlan plan;
-  const double y1 = south_depth;
-  const double y2 = y1 + corridor;
-  const double y3 = north.empty() ? y2 : y2 + north_depth;
+  const double y1 = measures.south_depth;
+  const double y2 = y1 + measures.corridor;
+  const double y3 = north.empty() ? y2 : y2 + measures.north_depth;
   const double corridor_top = north.empty() ? kOuterWall_m / 2 : kInnerWall_m / 2;
-  plan.rooms.push_back(
-      {"corridor", RoomKind::kCorridor, Rect({0, y1}, {length, y2}),
-       Rect({kOuterWall_m / 2, y1 + kInnerWall_m / 2}, {length - kOuterWall_m / 2, y2 - corridor_top})});
+  plan.rooms.push_back({"corridor", RoomKind::kCorridor, makeRect(0, y1, length, y2),
+                        makeRect(kOuterWall_m / 2, y1 + kInnerWall_m / 2, length - kOuterWall_m / 2,
+                                 y2 - corridor_top)});
   FloorPlan::Wall south_outer{true, 0, 0, length, kOuterWall_m, {}};
   FloorPlan::Wall south_inner{true, y1, 0, length, kInnerWall_m, {}};
   addRow(south, length, 0, y1, true, random.fork(1), plan, south_inner, south_outer);
@@ -122,15 +131,18 @@ FloorPlan drawOfficePlan(Random random) {
   for (std::size_t i = north.size() - 1; i > 1; --i) {
     std::swap(north[i], north[1 + random.index(static_cast<std::uint32_t>(i))]);
   }
-  return drawPlan(south, north, random.uniform(24.0, 25.0), random.uniform(6.6, 7.2),
-                  random.uniform(2.0, 2.3), random.uniform(4.8, 5.3), random.fork(0));
+  // Braces: the numbers are drawn in this order.
+  const Measures measures{random.uniform(24.0, 25.0), random.uniform(6.6, 7.2),
+                          random.uniform(2.0, 2.3), random.uniform(4.8, 5.3)};
+  return drawPlan(south, north, measures, random.fork(0));
 }
 
 FloorPlan drawQuickPlan(Random random) {
+  const Measures measures{random.uniform(9.2, 9.6), random.uniform(4.9, 5.2),
+                          random.uniform(2.0, 2.2), 0};
   return drawPlan({{"office_1", RoomKind::kPrivateOffice, 4.0, 4.3, false},
                    {"lounge", RoomKind::kLounge, 5.2, 5.6, true}},
-                  {}, random.uniform(9.2, 9.6), random.uniform(4.9, 5.2), random.uniform(2.0, 2.2), 0,
-                  random.fork(0));
+                  {}, measures, random.fork(0));
 }
 
 }  // namespace hydrabench

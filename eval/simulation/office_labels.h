@@ -6,8 +6,9 @@
 
 namespace hydrabench {
 
-/// Label ids of the uHumans2 office (Hydra's uhumans2_office label space), so that existing configs fit. Doors and shelves count as
-/// cabinets there, tables as desks, windows as walls, and a water dispenser as a bin.
+/// Label ids of the uHumans2 office (Hydra's uhumans2_office label space), so that existing configs
+/// fit. Doors and shelves count as cabinets there, tables as desks, windows as walls, and a water
+/// dispenser as a bin.
 namespace office_label {
 inline constexpr Label kBooks = 2;
 inline constexpr Label kFloor = 3;
@@ -25,7 +26,8 @@ inline constexpr Label kBin = 18;
 inline constexpr Label kWall = 19;
 }  // namespace office_label
 
-/// Chair, couch, plant and bin are scored. Computers are objects outside the trained classes and are scored on request only.
+/// Chair, couch, plant and bin are scored. Computers are objects outside the trained classes and
+/// are scored on request only.
 LabelSpace officeLabelSpace(bool score_computers);
 
 }  // namespace hydrabench

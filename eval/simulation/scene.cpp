@@ -52,12 +52,8 @@ Mesh mergedMesh(const Scene& scene, bool with_overhead) {
 
 void appendBox(const Aabb& box, std::uint16_t material, Surface& surface, unsigned faces) {
   // Corner k has its x, y, z bit in bit 0, 1, 2. Quads are counter-clockwise seen from outside.
-  static constexpr std::array<std::array<int, 4>, 6> kQuads = {{{0, 4, 6, 2},
-                                                                {1, 3, 7, 5},
-                                                                {0, 1, 5, 4},
-                                                                {2, 6, 7, 3},
-                                                                {0, 2, 3, 1},
-                                                                {4, 5, 7, 6}}};
+  static constexpr std::array<std::array<int, 4>, 6> kQuads = {
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
   assert(surface.face_material.size() == surface.mesh.faces.size());
   for (unsigned side = 0; side < 6; ++side) {
     if (!(faces & (1u << side))) continue;

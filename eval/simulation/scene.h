@@ -14,10 +14,11 @@
 
 namespace hydrabench {
 
-/// A triangle mesh and what it looks like. Textures are evaluated at the coordinates of the mesh's own frame.
+/// A triangle mesh and what it looks like. Textures are evaluated at the coordinates of the mesh's
+/// own frame.
 struct Surface {
   Mesh mesh;
-  std::vector<Material> materials;           ///< empty: the vertex colours, or grey where there are none
+  std::vector<Material> materials;  ///< empty: the vertex colours, or grey where there are none
   std::vector<std::uint16_t> face_material;  ///< index into materials per face; empty: 0 for all
 };
 
@@ -29,8 +30,9 @@ struct SceneObject {
   Label label = kUnknownLabel;
   bool scored = false;
   Transform T_world_object = Transform::Identity();
-  std::shared_ptr<const Surface> surface;      ///< object frame
-  std::shared_ptr<const ShapeInstance> shape;  ///< its exact distance field; null for meshes from files
+  std::shared_ptr<const Surface> surface;  ///< object frame
+  std::shared_ptr<const ShapeInstance>
+      shape;  ///< its exact distance field; null for meshes from files
 };
 
 /// Floor, wall, ceiling, door, window: labelled, but without an instance.
@@ -44,8 +46,8 @@ struct StructurePart {
 
 struct Lamp {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< world frame [m]
-  double intensity = 1;                                ///< irradiance at 1 m, 1 being white on white
-  int room = -1;                                       ///< index into rooms; lights that room only. -1: all
+  double intensity = 1;  ///< irradiance at 1 m, 1 being white on white
+  int room = -1;         ///< index into rooms; lights that room only. -1: all
 };
 
 /// A static world: what the sensors look at. Made by a generator (office) or from mesh files.
@@ -63,7 +65,8 @@ Aabb bounds(const Scene& scene);
 /// Everything in one mesh, world frame, vertices coloured by material.
 Mesh mergedMesh(const Scene& scene, bool with_overhead = true);
 
-/// Cuboid faces to add to a surface; internal faces can be left out so that touching boxes form one skin.
+/// Cuboid faces to add to a surface; internal faces can be left out so that touching boxes form one
+/// skin.
 enum BoxFaces : unsigned {
   kFaceXLow = 1,
   kFaceXHigh = 2,
@@ -73,6 +76,7 @@ enum BoxFaces : unsigned {
   kFaceZHigh = 32,
   kAllFaces = 63
 };
-void appendBox(const Aabb& box, std::uint16_t material, Surface& surface, unsigned faces = kAllFaces);
+void appendBox(const Aabb& box, std::uint16_t material, Surface& surface,
+               unsigned faces = kAllFaces);
 
 }  // namespace hydrabench

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+
+#include "core/graph/spark_dsg_json.h"
+#include "core/io/image_io.h"
+#include "core/types/error.h"
+#include "eval/app/app.h"
+#include "eval/datasets/open_dataset.h"
+#include "eval/simulation/contact_sheet.h"
+#include "eval/simulation/simulated_dataset.h"
+#include "eval/view/frame_picture.h"
+#include "eval/view/world_picture.h"
+
+namespace hydrabench {
+namespace {
+
+struct Options {
+  std::filesystem::path source;
+  std::filesystem::path out;
+  std::vector<std::string> overrides;
+  int frames = 3;
+  bool families = false;
+  int instances = 5;
+  std::uint64_t seed = 1;
+};
+
+void save(const std::filesystem::path& path, const Image<Rgb>& picture) {
+  writeColorPng(path, picture);
+  fmt::print("wrote {} ({} x {})\n", path.string(), picture.width(), picture.height());
+}
+
+/// True instances above what the method is given; empty where the dataset knows no difference.
+Image<Rgb> maskPicture(const SimulatedDataset& dataset, std::size_t index, const RgbdFrame& given) {
+  const RenderedView view =
+      dataset.renderer().render(dataset.camera(), dataset.trajectory()[index].T_world_camera);
+  Image<InstanceId> true_instances(view.objects.width(), view.objects.height());
+  std::transform(view.objects.begin(), view.objects.end(), true_instances.begin(),
+                 [](std::int32_t object) { return object + 1; });
+  return sideBySide(
+      {given.color, instancePicture(true_instances), instancePicture(given.instances)});
+}
+
+void viewDataset(const Options& options) {
+  const OpenedDataset opened = openDataset(options.source, options.overrides);
+  const Dataset& dataset = *opened.dataset;
+  if (dataset.hasGroundTruth()) {
+    save(options.out / "overview.png", worldPicture(dataset));
+    save(options.out / "objects.png", objectSheet(dataset));
+  }
+  const auto* simulated = dynamic_cast<const SimulatedDataset*>(&dataset);
+  const auto count =
+      std::min<std::size_t>(static_cast<std::size_t>(options.frames), dataset.numFrames());
+  for (std::size_t i = 0; i < count; ++i) {
+    // Evenly spread, away from both ends of the drive.
+    const std::size_t index = (2 * i + 1) * dataset.numFrames() / (2 * count);
+    const RgbdFrame frame = dataset.frame(index);
+    save(options.out / fmt::format("frame_{:06}.png", index), framePicture(frame));
+    if (simulated) {
+      save(options.out / fmt::format("masks_{:06}.png", index),
+           maskPicture(*simulated, index, frame));
+    }
+  }
+}
+
+int view(const Options& options) {
+  if (options.families) {
+    save(options.out / "families.png",
+         renderContactSheet(shapeFamilies(), options.seed, options.instances));
+    return kDone;
+  }
+  if (options.source.empty()) {
+    throw InputError("view: nothing to show, expected a dataset, a prediction or --families");
+  }
+  const std::string extension = options.source.extension().string();
+  const bool is_dataset = extension == ".yaml" || extension == ".yml" ||
+                          std::filesystem::exists(options.source / "dataset.yaml");
+  if (is_dataset) {
+    viewDataset(options);
+  } else {
+    save(options.out / "prediction.png", predictionPicture(readPrediction(options.source).graph));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command addView(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("source", options->source,
+                 "dataset (.yaml or exported folder), prediction folder or scene_graph.json")
+      ->type_name("SOURCE");
+  app.add_option("--out", options->out, "folder for the PNG files")->required()->type_name("DIR");
+  app.add_option("--frames", options->frames, "frames to show, spread over the sequence")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_flag("--families", options->families,
+               "show every family of shapes instead, several instances each");
+  app.add_option("--instances", options->instances, "with --families: instances of each")
+      ->check(CLI::Range(1, 50))
+      ->capture_default_str();
+  app.add_option("--seed", options->seed, "with --families: seed of the instances")
+      ->capture_default_str();
+  addOverrides(app, options->overrides, "seed=7");
+  app.footer(
+      "Of a dataset: overview.png, objects.png, frame_*.png (colour, depth, instances) and, for "
+      "generated worlds, masks_*.png (colour,\n"
+      "true instances, instances as a method sees them). Of a prediction: prediction.png.");
+  return [options] { return view(*options); };
+}
+
+}  // namespace hydrabench

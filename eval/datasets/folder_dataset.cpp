@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/datasets/folder_dataset.h"
+
+#include <charconv>
+#include <string_view>
+
+#include "core/io/atomic_file.h"
+#include "core/io/image_io.h"
+#include "eval/datasets/dataset_config.h"
+#include "eval/datasets/depth_image.h"
+#include "eval/datasets/folder_layout.h"
+#include "eval/datasets/frame_images.h"
+#include "eval/datasets/ground_truth_io.h"
+#include "eval/datasets/pose_file.h"
+
+namespace hydrabench {
+namespace fs = std::filesystem;
+namespace layout = folder_layout;
+namespace {
+
+std::vector<std::map<InstanceId, Label>> readInstanceLabels(const fs::path& path,
+                                                            std::size_t num_frames) {
+  const std::string text = readFile(path);
+  std::vector<std::map<InstanceId, Label>> labels(num_frames);
+  std::string_view rest = text;
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.empty() || (number == 1 && line == layout::kInstanceLabelsHeader)) continue;
+
+    std::int64_t values[3] = {};
+    const char* at = line.data();
+    const char* const stop = line.data() + line.size();
+    bool good = true;
+    for (int i = 0; i < 3 && good; ++i) {
+      const auto [next, error] = std::from_chars(at, stop, values[i]);
+      const bool separated = i < 2 ? next != stop && *next == ',' : next == stop;
+      good = error == std::errc() && separated && values[i] >= 0;
+      at = next + (i < 2 && separated ? 1 : 0);
+    }
+    if (!good || values[1] > 65535 || values[2] > 65535) {
+      throw InputError(
+          fmt::format("{}:{}: expected frame,instance,label in whole numbers, found '{}'",
+                      path.string(), number, line));
+    }
+    if (values[0] >= static_cast<std::int64_t>(num_frames)) {
+      throw InputError(fmt::format("{}:{}: frame {}, but there are {} poses", path.string(), number,
+                                   values[0], num_frames));
+    }
+    labels[static_cast<std::size_t>(values[0])][static_cast<InstanceId>(values[1])] =
+        static_cast<Label>(values[2]);
+  }
+  return labels;
+}
+
+}  // namespace
+
+FolderDataset::FolderDataset(Config config) : config_(std::move(config)) {
+  const fs::path poses = config_.folder / layout::kPoses;
+  poses_ = readPoses(poses);
+  if (poses_.empty()) {
+    throw InputError(fmt::format("{}: no poses, expected one a frame", poses.string()));
+  }
+  instance_labels_.resize(poses_.size());
+  if (has(layout::kInstances)) {
+    instance_labels_ = readInstanceLabels(config_.folder / layout::kInstanceLabels, poses_.size());
+  }
+  if (has(layout::kGroundTruth)) {
+    ground_truth_ = readGroundTruth(config_.folder / layout::kGroundTruth);
+  }
+}
+
+RgbdFrame FolderDataset::frame(std::size_t index) const {
+  RgbdFrame frame;
+  frame.stamp_ns = poses_.at(index).stamp_ns;
+  frame.T_world_camera = poses_[index].T_world_camera;
+  frame.camera = config_.camera;
+  if (has(layout::kColor)) {
+    const fs::path jpeg = config_.folder / layout::image(layout::kColor, index, ".jpg");
+    const fs::path png = config_.folder / layout::image(layout::kColor, index, ".png");
+    frame.color = readCameraColor(fs::exists(jpeg) ? jpeg : png, config_.camera);
+  }
+  if (has(layout::kDepth)) readDepth(index, frame);
+  if (has(layout::kLabels)) {
+    const fs::path path = config_.folder / layout::image(layout::kLabels, index, ".png");
+    frame.labels = widened(readCameraGray(path, config_.camera));
+  }
+  if (has(layout::kInstances)) readInstances(index, frame);
+  return frame;
+}
+
+void FolderDataset::readDepth(std::size_t index, RgbdFrame& frame) const {
+  fs::path path = config_.folder / layout::image(layout::kDepth, index, ".pfm");
+  if (fs::exists(path)) {
+    frame.depth = readDepthPfm(path);
+    requireSize(frame.depth, config_.camera, path);
+  } else {
+    path.replace_extension(".png");
+    frame.depth = depthFromQuanta(readCameraGray(path, config_.camera), config_.depth_quantum_m);
+  }
+  if (config_.require_depth && !hasDepth(frame.depth)) {
+    throw InputError(
+        fmt::format("{}: depth is 0 (not measured) in every pixel; set require_depth: false to "
+                    "accept such frames",
+                    path.string()));
+  }
+}
+
+void FolderDataset::readInstances(std::size_t index, RgbdFrame& frame) const {
+  const fs::path path = config_.folder / layout::image(layout::kInstances, index, ".png");
+  frame.instances = widened(readCameraGray(path, config_.camera));
+  frame.instance_labels = instance_labels_[index];
+  requireLabels(frame, path, layout::kInstanceLabels);
+}
+
+std::unique_ptr<Dataset> openFolder(ConfigReader& reader, const fs::path& config_path) {
+  FolderDataset::Config config;
+  config.folder = config_path.parent_path();
+  config.name = fs::absolute(config_path).parent_path().filename().string();
+  reader.field("name", config.name);
+  reader.field("seed", config.seed);
+  reader.path("folder", config.folder);
+  readCamera(reader, config.camera);
+  reader.field("depth_quantum_m", config.depth_quantum_m, {1e-9, 1});
+  reader.field("require_depth", config.require_depth);
+  readLabelSpace(reader, config.label_space);
+  reader.finish();
+  return std::make_unique<FolderDataset>(std::move(config));
+}
+
+}  // namespace hydrabench

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/config/config_reader.h"
+#include "eval/datasets/dataset.h"
+
+namespace hydrabench {
+
+/// A dataset in plain files: images, poses, ground-truth meshes (docs/datasets.md). What
+/// exportDataset writes, and the easiest form to bring own data in. A frame is read when it is
+/// asked for.
+class FolderDataset : public Dataset {
+ public:
+  struct Config {
+    std::filesystem::path folder;
+    std::string name = "folder";
+    std::uint64_t seed = 0;  ///< of the generated world it was exported from; 0: none
+    Camera camera;
+    double depth_quantum_m = 0.001;  ///< depth of one unit in depth/*.png
+    bool require_depth = true;       ///< a frame without any depth is a fault
+    LabelSpace label_space;
+  };
+  /// Throws InputError naming the file at fault.
+  explicit FolderDataset(Config config);
+
+  std::string name() const override { return config_.name; }
+  std::uint64_t seed() const override { return config_.seed; }
+  const LabelSpace& labelSpace() const override { return config_.label_space; }
+  const Camera& camera() const override { return config_.camera; }
+  std::size_t numFrames() const override { return poses_.size(); }
+  RgbdFrame frame(std::size_t index) const override;
+  const GroundTruth& groundTruth() const override { return ground_truth_; }
+  bool hasGroundTruth() const override { return !ground_truth_.objects.empty(); }
+
+ private:
+  bool has(const char* kind) const { return std::filesystem::is_directory(config_.folder / kind); }
+  void readDepth(std::size_t index, RgbdFrame& frame) const;
+  void readInstances(std::size_t index, RgbdFrame& frame) const;
+
+  Config config_;
+  std::vector<StampedPose> poses_;
+  std::vector<std::map<InstanceId, Label>> instance_labels_;  ///< per frame
+  GroundTruth ground_truth_;
+};
+
+std::unique_ptr<Dataset> openFolder(ConfigReader& reader, const std::filesystem::path& config);
+
+}  // namespace hydrabench

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/config/config_reader.h"
+#include "eval/datasets/dataset.h"
+
+namespace hydrabench {
+
+// Datasets that are rendered (eval/simulation): the generated worlds, and worlds of mesh files seen
+// through the same sensors.
+
+std::unique_ptr<Dataset> openSimulated(ConfigReader& reader, const std::filesystem::path& config);
+std::unique_ptr<Dataset> openPlacedMeshes(ConfigReader& reader,
+                                          const std::filesystem::path& config);
+
+}  // namespace hydrabench

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/simulation/simulated_dataset.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "eval/simulation/visibility.h"
+
+namespace hydrabench {
+namespace {
+
+// Streams of the world's seed.
+constexpr std::uint64_t kSensorStream = 101;
+constexpr std::uint64_t kOdometryStream = 102;
+
+constexpr std::size_t kVisibilityFrames = 500;  // of the trajectory are looked at, evenly spread
+constexpr std::size_t kVisibilityPoints = 400;  // per object: a fraction is known to about 2.5 %
+
+}  // namespace
+
+SimulatedConfig SimulatedConfig::forWorld(const std::string& world, const std::string& preset) {
+  SimulatedConfig config;
+  config.preset = preset;
+  if (world == "quick") {
+    config.office = OfficeConfig::quick();
+    config.trajectory.duration_s = 30;
+  }
+  if (preset == "clean") config.sensor = RgbdSensorConfig::clean();
+  if (preset == "hard") {
+    config.sensor = RgbdSensorConfig::hard();
+    config.odometry.translation_m_per_sqrt_m = 0.01;
+    config.odometry.yaw_deg_per_sqrt_m = 0.15;
+  }
+  return config;
+}
+
+void read(ConfigReader& reader, SimulatedConfig& config) {
+  std::string world = config.office.world;
+  std::string preset = config.preset;
+  reader.choice("world", world, {"office", "quick"});
+  reader.choice("preset", preset, {"clean", "default", "hard"});
+  const std::uint64_t seed = config.seed;
+  config = SimulatedConfig::forWorld(world, preset);
+  config.seed = seed;
+  reader.field("seed", config.seed);
+  ConfigReader office = reader.section("office");
+  read(office, config.office);
+  ConfigReader trajectory = reader.section("trajectory");
+  read(trajectory, config.trajectory);
+  read(reader, config.sensor);
+  ConfigReader odometry = reader.section("odometry");
+  read(odometry, config.odometry);
+}
+
+SimulatedDataset::SimulatedDataset(const SimulatedConfig& config)
+    : name_(config.office.world == "quick" ? "office_quick" : "office"),
+      scene_(std::make_shared<const Scene>(makeOffice(config.office, config.seed))),
+      renderer_(scene_),
+      trajectory_(
+          makeTrajectory(*scene_, renderer_.raycaster(), config.sensor.camera, config.trajectory)),
+      reported_poses_(
+          driftedPoses(trajectory_, config.odometry, hashSeed(config.seed, kOdometryStream))),
+      sensor_(config.sensor),
+      seed_(config.seed) {
+  if (config.preset != "default") name_ += "_" + config.preset;
+}
+
+SimulatedDataset::SimulatedDataset(std::string name, std::shared_ptr<const Scene> scene,
+                                   std::vector<StampedPose> trajectory,
+                                   const RgbdSensorConfig& sensor,
+                                   const OdometryDriftConfig& odometry, std::uint64_t seed)
+    : name_(std::move(name)),
+      scene_(std::move(scene)),
+      renderer_(scene_),
+      trajectory_(std::move(trajectory)),
+      reported_poses_(driftedPoses(trajectory_, odometry, hashSeed(seed, kOdometryStream))),
+      sensor_(sensor),
+      seed_(seed) {}
+
+RgbdFrame SimulatedDataset::frame(std::size_t index) const {
+  assert(index < trajectory_.size());
+  RgbdFrame frame = observe(*scene_, renderer_, trajectory_[index].T_world_camera, sensor_,
+                            hashSeed(seed_, kSensorStream), index);
+  frame.stamp_ns = trajectory_[index].stamp_ns;
+  frame.T_world_camera = reported_poses_[index];
+  return frame;
+}
+
+const GroundTruth& SimulatedDataset::groundTruth() const {
+  std::call_once(ground_truth_once_, [this] {
+    const std::size_t stride = std::max<std::size_t>(1, trajectory_.size() / kVisibilityFrames);
+    const std::vector<double> visible =
+        visibleFractions(*scene_, renderer_.raycaster(), sensor_.camera, trajectory_,
+                         sensor_.min_depth_m, sensor_.max_depth_m, stride, kVisibilityPoints);
+    for (std::size_t i = 0; i < scene_->objects.size(); ++i) {
+      const SceneObject& object = scene_->objects[i];
+      GroundTruthObject truth;
+      truth.id = i + 1;
+      truth.label = object.label;
+      truth.name = object.name;
+      truth.subtype = object.subtype;
+      truth.room = object.room;
+      truth.T_world_object = object.T_world_object;
+      // Shares the mesh with the scene.
+      truth.mesh = std::shared_ptr<const Mesh>(object.surface, &object.surface->mesh);
+      truth.visible_fraction = visible[i];
+      truth.scored = object.scored;
+      ground_truth_.objects.push_back(std::move(truth));
+    }
+    ground_truth_.scene_mesh = mergedMesh(*scene_);
+    ground_truth_.rooms = scene_->rooms;
+    ground_truth_.trajectory = trajectory_;
+  });
+  return ground_truth_;
+}
+
+}  // namespace hydrabench

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+// The command as a user runs it: HYDRABENCH_COMMAND is the program just built.
+#include <cstdlib>
+#include <string>
+#include <sys/wait.h>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace hydrabench {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+class Command : public ::testing::Test {
+ protected:
+  Outcome run(const std::string& arguments) {
+    const std::string line =
+        fmt::format("cd '{}' && '{}' {} >'{}' 2>'{}'", HYDRABENCH_SOURCE_DIR, HYDRABENCH_COMMAND,
+                    arguments, (folder_ / "out.txt").string(), (folder_ / "err.txt").string());
+    const int status = std::system(line.c_str());
+    return {WEXITSTATUS(status), readText(folder_ / "out.txt"), readText(folder_ / "err.txt")};
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// One tidy line on standard error and exit code 2.
+  void expectFault(const std::string& arguments, const std::string& text) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+    EXPECT_THAT(outcome.err, ::testing::StartsWith("hydrabench: "));
+  }
+
+  TemporaryFolder folder_;
+  /// The quick world, small enough for a test.
+  const std::string kWorld = "configs/datasets/office_quick.yaml";
+  const std::string kSmall = "--set camera.width_px=180 --set camera.height_px=120";
+};
+
+TEST_F(Command, TeachesWithoutArguments) {
+  const Outcome outcome = run("");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.out, HasSubstr("First steps:"));
+}
+
+TEST_F(Command, HelpsForEverySubcommand) {
+  for (const std::string name :
+       {"doctor", "selftest", "view", "export", "evaluate", "report", "version"}) {
+    const Outcome outcome = run(name + " --help");
+    EXPECT_EQ(outcome.exit_code, 0) << name;
+    EXPECT_THAT(outcome.out, HasSubstr("--threads")) << name;
+  }
+}
+
+TEST_F(Command, PrintsItsVersion) {
+  for (const std::string arguments : {"version", "--version"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out, ::testing::StartsWith("hydrabench 0.1.0 ("));
+  }
+}
+
+TEST_F(Command, IsHealthyHere) {
+  const Outcome outcome = run("doctor");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("all that is needed works"));
+}
+
+TEST_F(Command, SuggestsTheSubcommandThatWasMeant) {
+  expectFault("exprot", "did you mean 'export'?");
+}
+
+TEST_F(Command, SuggestsTheOptionThatWasMeant) {
+  expectFault("report x --fromat md", "did you mean '--format'?");
+}
+
+TEST_F(Command, SuggestsTheConfigKeyThatWasMeant) {
+  expectFault(fmt::format("export {} --out {} --set sede=3", kWorld, path("w")),
+              "did you mean seed?");
+}
+
+TEST_F(Command, NamesAMissingDataset) { expectFault("selftest nowhere.yaml", "nowhere.yaml"); }
+
+TEST_F(Command, WantsPrefixedOverridesWhereThereAreTwoConfigs) {
+  expectFault("selftest " + kWorld + " --set samples=10",
+              "expected a key that starts with 'dataset.' or 'evaluation.'");
+}
+
+TEST_F(Command, RefusesToOverwriteAnExport) {
+  const std::string arguments =
+      fmt::format("export {} {} --frames 1 --out {}", kWorld, kSmall, path("world"));
+  EXPECT_EQ(run(arguments).exit_code, 0);
+  expectFault(arguments, "world");
+  EXPECT_EQ(run(arguments + " --replace").exit_code, 0);
+}
+
+TEST_F(Command, GoesFromWorldToTable) {
+  const Outcome exported =
+      run(fmt::format("export {} {} --frames 2 --out {}", kWorld, kSmall, path("world")));
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+
+  const Outcome tested = run(
+      fmt::format("selftest {}/dataset.yaml --out {} --prediction {} --set evaluation.samples=1000 "
+                  "--set evaluation.bootstrap_resamples=50",
+                  path("world"), path("result"), path("perfect")));
+  ASSERT_EQ(tested.exit_code, 0) << tested.out << tested.err;
+  EXPECT_THAT(tested.out, HasSubstr("selftest passed"));
+  EXPECT_THAT(tested.out, Not(HasSubstr("FAIL")));
+
+  for (const std::string name : {"scores.csv", "objects.csv", "kappa.csv", "table.md", "table.tex",
+                                 "table.csv", "table.json", "config.yaml", "provenance.json"}) {
+    EXPECT_FALSE(readText(folder_ / ("result/" + name)).empty()) << name;
+  }
+  EXPECT_THAT(readText(folder_ / "result/scores.csv"),
+              ::testing::StartsWith(
+                  "dataset,seed,method,class,threshold_kind,threshold,matching,metric,value,unit,"
+                  "ci95_low,ci95_high,n\n"));
+  EXPECT_THAT(run("report " + path("result")).out, HasSubstr("Ground truth"));
+  EXPECT_THAT(run("report " + path("result") + " --format tex").out, HasSubstr("\\toprule"));
+  EXPECT_THAT(run("report " + path("result") + " --class chair").out, HasSubstr("chair"));
+  const Outcome evaluated = run(
+      fmt::format("evaluate {} --dataset {}/dataset.yaml --out {} --set evaluation.samples=1000",
+                  path("perfect"), path("world"), path("again")));
+  EXPECT_EQ(evaluated.exit_code, 0) << evaluated.err;
+  EXPECT_THAT(readText(folder_ / "again/table.csv"),
+              HasSubstr("0.5,one_to_one,ground_truth,1,1,1,1,1,1,1,1,1,"));
+  EXPECT_EQ(run(fmt::format("view {} --out {}", path("perfect"), path("again"))).exit_code, 0);
+  EXPECT_FALSE(readText(folder_ / "again/prediction.png").empty());
+  expectFault("report " + path("result") + " --class sofa", "no scores of class 'sofa'");
+}
+
+TEST_F(Command, ExportsTheSameBytesForOneAndTwoThreads) {
+  for (const std::string threads : {"1", "2"}) {
+    ASSERT_EQ(run(fmt::format("export {} {} --frames 4 --out {} --threads {}", kWorld, kSmall,
+                              path("w" + threads), threads))
+                  .exit_code,
+              0);
+  }
+  EXPECT_EQ(std::system(fmt::format("diff -r '{}' '{}'", path("w1"), path("w2")).c_str()), 0);
+}
+
+TEST_F(Command, EvaluatesAHandWrittenPrediction) {
+  ASSERT_EQ(
+      run(fmt::format("export {} {} --frames 1 --out {}", kWorld, kSmall, path("world"))).exit_code,
+      0);
+  writeText(
+      folder_ / "mine/scene_graph.json",
+      R"({"SPARK_DSG_header": {"project_name": "main", "version": {"major": 1, "minor": 1, "patch": 3}},
+                "directed": false, "multigraph": false, "layer_keys": [{"layer": 2, "partition": 0}],
+                "layer_names": {"OBJECTS": {"layer": 2, "partition": 0}}, "metadata": {}, "nodes": [], "edges": []})");
+  const Outcome outcome = run(fmt::format("evaluate {} --dataset {}/dataset.yaml --out {}",
+                                          path("mine"), path("world"), path("result")));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("n/a"));  // the precision of nothing
+  EXPECT_THAT(outcome.out, HasSubstr("mine"));
+}
+
+TEST_F(Command, NamesTheBrokenFieldOfAPrediction) {
+  writeText(folder_ / "mine/scene_graph.json", R"({"nodes": []})");
+  expectFault(fmt::format("evaluate {} --dataset {} --out {}", path("mine"), kWorld, path("r")),
+              "SPARK_DSG_header");
+}
+
+TEST_F(Command, RendersPictures) {
+  const Outcome outcome =
+      run(fmt::format("view {} {} --frames 1 --out {}", kWorld, kSmall, path("view")));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("overview.png"));
+  EXPECT_THAT(outcome.out, HasSubstr("masks_"));
+  expectFault("view --out " + path("view"), "nothing to show");
+}
+
+}  // namespace
+}  // namespace hydrabench
