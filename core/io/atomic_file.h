@@ -17,8 +17,8 @@ std::string readFile(const std::filesystem::path& path);
 void writeFileAtomic(const std::filesystem::path& path, std::string_view content);
 
 /// A folder that appears under its final name complete or not at all: fill temporary(), then
-/// commit(). Removed if not committed. Files that writeFileAtomic puts below temporary() are flushed
-/// together by commit(), not one by one.
+/// commit(). Removed if not committed. Files that writeFileAtomic puts below temporary() are
+/// flushed together by commit(), not one by one.
 class AtomicFolder {
  public:
   /// Throws InputError if `path` exists and is not empty (or, with `replace`, swaps it at commit).

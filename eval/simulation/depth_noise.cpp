@@ -94,8 +94,8 @@ Image<float> noisyDepth(const RenderedView& view, const Camera& camera,
     const std::uint64_t place = pixelBits(place_seed, index);
     if (lateral > 0) {
       const std::uint64_t more = mixBits(place);
-      from_u = u + static_cast<int>(std::lround(lateral * cheapNormal(more)));
-      from_v = v + static_cast<int>(std::lround(lateral * cheapNormal(mixBits(more))));
+      from_u = u + nearestInt(lateral * cheapNormal(more));
+      from_v = v + nearestInt(lateral * cheapNormal(mixBits(more)));
       if (!view.depth.contains(from_u, from_v)) return 0;
     }
     float z = view.depth(from_u, from_v);

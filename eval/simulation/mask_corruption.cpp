@@ -180,10 +180,8 @@ Segmentation corruptMasks(const Image<std::int32_t>& objects, const Image<Label>
             int from_u = u;
             int from_v = v;
             if (jitter > 0) {
-              from_u = std::clamp(u + static_cast<int>(std::lround(jitter * warp_u->at(u, v))), 0,
-                                  width - 1);
-              from_v = std::clamp(v + static_cast<int>(std::lround(jitter * warp_v->at(u, v))), 0,
-                                  height - 1);
+              from_u = std::clamp(u + nearestInt(jitter * warp_u->at(u, v)), 0, width - 1);
+              from_v = std::clamp(v + nearestInt(jitter * warp_v->at(u, v)), 0, height - 1);
             }
             const std::int32_t object = objects(from_u, from_v);
             if (object < 0) {

@@ -29,6 +29,10 @@ inline float unitFrom16(std::uint64_t bits) {
   return static_cast<float>(bits & 0xffff) * 0x1.0p-16f;
 }
 
+/// Nearest integer of |x| < 1000; std::lround is a call into the library, and there are several per
+/// pixel.
+inline int nearestInt(float x) { return static_cast<int>(x + 1024.5f) - 1024; }
+
 /// Smooth noise over an image, mean 0, deviation 1 everywhere: normals on a lattice, blended
 /// linearly and rescaled to unit variance.
 class NoiseField {

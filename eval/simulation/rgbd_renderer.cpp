@@ -144,7 +144,7 @@ void RgbdRenderer::Impl::store(const Tile& tile, RenderedView& view) const {
     if (hit.mesh < scene->objects.size()) view.objects(u, v) = static_cast<std::int32_t>(hit.mesh);
     const Vector3f& direction = tile.rays[i].direction;
     const float cosine = std::abs(mesh.faceNormal(hit.face).dot(direction)) / direction.norm();
-    view.incidence(u, v) = static_cast<std::uint8_t>(std::lround(255 * std::min(1.0f, cosine)));
+    view.incidence(u, v) = static_cast<std::uint8_t>(255 * std::min(1.0f, cosine) + 0.5f);
     if (config.with_color) view.color(u, v) = srgbFromLinear(tile.lit[i] + tile.key[i]);
   }
 }

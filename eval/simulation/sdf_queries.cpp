@@ -3,6 +3,8 @@
 #include "eval/simulation/sdf_queries.h"
 
 #include <algorithm>
+#include <limits>
+#include <queue>
 
 namespace hydrabench {
 namespace {
@@ -35,19 +37,34 @@ bool overlapIn(const Aabb& cell, const PlacedSdf& a, const Transform& T_a_world,
   return false;
 }
 
-/// Grows `found` by the cells that may hold surface or inside, skipping those that cannot enlarge
-/// it.
-void growBounds(const Sdf& sdf, const Aabb& cell, double tolerance, Aabb& found) {
-  if (!found.isEmpty() && found.contains(cell)) return;
-  const double radius = 0.5 * cell.diagonal().norm();
-  const double value = sdf.value(cell.center());
-  if (value > radius) return;
-  if (value <= 0 && radius > tolerance) found.extend(cell.center());
-  if (radius <= tolerance) {
-    found.extend(cell);
-    return;
+/// How far the shape reaches along one axis (sign +1 or -1), searched best first: the cell that
+/// could reach farthest is looked into next, of equal ones the smallest.
+double reach(const Sdf& sdf, int axis, double sign, double tolerance) {
+  struct Cell {
+    Aabb box;
+    double extreme;
+    double radius;
+    bool operator<(const Cell& other) const {
+      return extreme != other.extreme ? extreme < other.extreme : radius > other.radius;
+    }
+  };
+  std::priority_queue<Cell> open;
+  double reached = -std::numeric_limits<double>::infinity();  // by a point known to be inside
+  const auto consider = [&](const Aabb& box) {
+    const double radius = 0.5 * box.diagonal().norm();
+    const double value = sdf.value(box.center());
+    if (value > radius) return;
+    if (value <= 0) reached = std::max(reached, sign * box.center()[axis] - value);
+    open.push({box, sign * (sign > 0 ? box.max() : box.min())[axis], radius});
+  };
+  consider(sdf.bounds());
+  while (!open.empty()) {
+    const Cell cell = open.top();
+    open.pop();
+    if (cell.radius <= tolerance || cell.extreme - reached <= tolerance) return sign * cell.extreme;
+    for (int i = 0; i < 8; ++i) consider(octant(cell.box, i));
   }
-  for (int i = 0; i < 8; ++i) growBounds(sdf, octant(cell, i), tolerance, found);
+  return 0;  // an empty shape
 }
 
 }  // namespace
@@ -59,9 +76,12 @@ bool interpenetrate(const PlacedSdf& a, const PlacedSdf& b, double tolerance) {
 }
 
 Aabb tightBounds(const Sdf& sdf, double tolerance) {
-  Aabb found;
-  growBounds(sdf, sdf.bounds(), tolerance, found);
-  return found;
+  Aabb box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min()[axis] = reach(sdf, axis, -1, tolerance);
+    box.max()[axis] = reach(sdf, axis, 1, tolerance);
+  }
+  return box;
 }
 
 std::optional<double> heightBelow(const Sdf& sdf, const Eigen::Vector3d& from) {

@@ -16,8 +16,8 @@ struct PlacedSdf {
   Aabb box;
 };
 
-/// True where some point lies deeper than `tolerance` [m] inside both. A negative tolerance asks for a gap; the boxes must be wider
-/// than the shapes by as much. Searches an octree of the
+/// True where some point lies deeper than `tolerance` [m] inside both. A negative tolerance asks
+/// for a gap; the boxes must then be wider than the shapes by as much. Searches an octree of the
 /// common box and prunes by the distances, so it costs little unless the surfaces run close to each
 /// other.
 bool interpenetrate(const PlacedSdf& a, const PlacedSdf& b, double tolerance);

@@ -109,6 +109,7 @@ const GroundTruth& SimulatedDataset::groundTruth() const {
       ground_truth_.objects.push_back(std::move(truth));
     }
     ground_truth_.scene_mesh = mergedMesh(*scene_);
+    roundToFloat(ground_truth_.scene_mesh);  // what a file of it would hold
     ground_truth_.rooms = scene_->rooms;
     ground_truth_.trajectory = trajectory_;
   });

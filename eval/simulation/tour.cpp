@@ -271,6 +271,12 @@ Tour planTour(const Scene& scene, const ClearanceMap& map, const SightModel& sig
   smooth(map, robot_radius_m + kMargin_m, tour.points);
   tour.points = resampled(tour.points, kSpacing_m);
   tour.length_m = lengthOf(tour.points);
+  if (tour.length_m < kSpacing_m) {
+    throw InputError(fmt::format(
+        "trajectory.robot_radius_m: a robot of {:.2f} m has nowhere to go in this scene (no rooms "
+        "given, or every way out is too narrow)",
+        robot_radius_m));
+  }
   return tour;
 }
 

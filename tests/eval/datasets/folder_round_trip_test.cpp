@@ -218,7 +218,6 @@ TEST(FolderDataset, TheGeneratedWorldSurvivesExport) {
   GroundTruth expected = world.dataset->groundTruth();
   expected.trajectory.resize(3);
   expectSameGroundTruth(opened.dataset->groundTruth(), expected);
-  roundToFloat(expected.scene_mesh);
   expectSameMesh(opened.dataset->groundTruth().scene_mesh, expected.scene_mesh);
 }
 

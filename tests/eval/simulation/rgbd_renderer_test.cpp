@@ -42,15 +42,20 @@ TEST(RgbdRenderer, WallStraightAheadHasOneZDepthEverywhere) {
 }
 
 TEST(RgbdRenderer, IntegerCoordinatesArePixelCentres) {
-  // The box's front face lies at z-depth 1 and reaches from x = -0.25 to 0.25 m: columns 50 - 15 to
-  // 50 + 15, both edges exactly on pixel centres. One column further out lies the wall.
-  const RenderedView view = RgbdRenderer(wallAndBox()).render(kCamera, kFacingWall);
-  EXPECT_EQ(view.objects(50, 33), 0);
+  // The front face lies at z-depth 1 and is 29.5 px wide around the principal point: columns 50
+  // - 14.75 to 50 + 14.75. Half a pixel off, and one of the columns 35 and 65 would see it.
+  Scene scene;
+  scene.objects.push_back(boxObject("chair_001", office_label::kChair, {29.5 / 60, 0.5, 29.5 / 60},
+                                    {0, 1.25, -29.5 / 120}));
+  const RenderedView view =
+      RgbdRenderer(std::make_shared<const Scene>(std::move(scene))).render(kCamera, kFacingWall);
   EXPECT_NEAR(view.depth(50, 33), 1.0f, 1e-6f);
-  EXPECT_EQ(view.objects(36, 33), 0);
-  EXPECT_EQ(view.objects(64, 33), 0);
-  EXPECT_EQ(view.objects(34, 33), -1);
-  EXPECT_EQ(view.objects(66, 33), -1);
+  for (int u = 0; u < kCamera.width; ++u) {
+    EXPECT_EQ(view.objects(u, 33) == 0, u >= 36 && u <= 64) << u;
+  }
+  for (int v = 0; v < kCamera.height; ++v) {
+    EXPECT_EQ(view.objects(50, v) == 0, v >= 19 && v <= 47) << v;
+  }
 }
 
 TEST(RgbdRenderer, HeadOnIncidenceIsOneAndSlantedIsTheCosine) {

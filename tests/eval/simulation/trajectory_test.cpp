@@ -26,10 +26,22 @@ TrajectoryConfig shortDrive() {
   return config;
 }
 
+/// The right room can only be crossed in a zigzag around two screens.
+Scene roomsWithScreens() {
+  Scene scene = twoRooms();
+  scene.structure.push_back(
+      structureBox("screen", office_label::kWall,
+                   {Eigen::Vector3d(5.2, 0, 0), Eigen::Vector3d(5.25, 3.2, 1.6)}));
+  scene.structure.push_back(
+      structureBox("screen", office_label::kWall,
+                   {Eigen::Vector3d(6.3, 0.8, 0), Eigen::Vector3d(6.35, 4, 1.6)}));
+  return scene;
+}
+
 struct Drive {
-  explicit Drive(const TrajectoryConfig& settings = shortDrive())
+  explicit Drive(const TrajectoryConfig& settings = shortDrive(), Scene world = twoRooms())
       : config(settings),
-        scene(std::make_shared<const Scene>(twoRooms())),
+        scene(std::make_shared<const Scene>(std::move(world))),
         renderer(scene),
         poses(makeTrajectory(*scene, renderer.raycaster(), kCamera, config)) {}
   TrajectoryConfig config;
@@ -48,7 +60,13 @@ TEST(Trajectory, HasAPosePerFrameAtTheRateAskedFor) {
 }
 
 TEST(Trajectory, KeepsTheRobotsRadiusFromEverything) {
-  const Drive drive;
+  TrajectoryConfig config;
+  config.duration_s = 50;
+  config.robot_radius_m = 0.34;  // ways past the screens are 0.8 m wide
+  const Drive drive(config, roomsWithScreens());
+  EXPECT_TRUE(std::any_of(drive.poses.begin(), drive.poses.end(), [](const StampedPose& pose) {
+    return pose.T_world_camera.translation().x() > 6.4;
+  }));
   for (const StampedPose& pose : drive.poses) {
     for (const double z : {0.1, 0.4, 0.8}) {
       const Eigen::Vector3d& eye = pose.T_world_camera.translation();
