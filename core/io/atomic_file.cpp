@@ -161,16 +161,23 @@ void writeFileAtomic(const fs::path& path, std::string_view content) {
   file.finish();
 }
 
-AtomicFolder::AtomicFolder(fs::path path, bool replace)
-    : path_(fs::absolute(path).lexically_normal()), replace_(replace) {
+AtomicFolder::AtomicFolder(fs::path path, std::string replaceable_marker)
+    : path_(fs::absolute(path).lexically_normal()), replace_(!replaceable_marker.empty()) {
   if (!path_.has_filename()) path_ = path_.parent_path();  // "out/" is "out"
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
   if (fs::exists(status) && !fs::is_directory(status)) {
     throw InputError(fmt::format("{}: is a file, expected a folder", path_.string()));
   }
-  if (!replace_ && fs::is_directory(status) && !fs::is_empty(path_, error)) {
-    throw InputError(fmt::format("{}: exists already and is not empty", path_.string()));
+  if (fs::is_directory(status) && !fs::is_empty(path_, error)) {
+    if (!replace_) {
+      throw InputError(fmt::format("{}: exists already and is not empty", path_.string()));
+    }
+    if (!fs::exists(path_ / replaceable_marker, error)) {
+      throw InputError(
+          fmt::format("{}: not replaced, for without a {} in it, it is nothing this command wrote",
+                      path_.string(), replaceable_marker));
+    }
   }
   temporary_ = temporaryBeside(path_);
   makeFolder(temporary_);

@@ -21,8 +21,9 @@ void writeFileAtomic(const std::filesystem::path& path, std::string_view content
 /// flushed together by commit(), not one by one.
 class AtomicFolder {
  public:
-  /// Throws InputError if `path` exists and is not empty (or, with `replace`, swaps it at commit).
-  explicit AtomicFolder(std::filesystem::path path, bool replace = false);
+  /// A folder that is not empty is refused with InputError; or, given a `replaceable_marker`,
+  /// swapped at commit if it holds a file of that name, the sign that the same command wrote it.
+  explicit AtomicFolder(std::filesystem::path path, std::string replaceable_marker = "");
   ~AtomicFolder();
   AtomicFolder(const AtomicFolder&) = delete;
   AtomicFolder& operator=(const AtomicFolder&) = delete;

@@ -32,6 +32,7 @@ constexpr CommandEntry kCommands[] = {
      addExport},
     {"evaluate", "score predictions against the ground truth of a dataset", addEvaluate},
     {"report", "print or convert the table of a result folder", addReport},
+    {"defaults", "print every config key at its default", addDefaults},
     {"version", "print version, commit and build flags", addVersion},
 };
 
@@ -134,7 +135,7 @@ int runApp(int argc, const char* const* argv) {
     app.parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {
     const auto parsed = app.get_subcommands();
-    fmt::print("{}", (parsed.empty() ? &app : parsed.front())->help());
+    fmt::print("{}", parsed.empty() ? app.help() : parsed.front()->help(app.get_name()));
     return kDone;
   } catch (const CLI::ParseError& error) {
     return usageError(app, error, arguments);
@@ -149,6 +150,8 @@ int runApp(int argc, const char* const* argv) {
     fmt::print(stderr, "hydrabench: {}\n", error.what());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "hydrabench: out of memory\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "hydrabench: {}\n", error.what());
   }
   return kBadInput;
 }

@@ -26,6 +26,7 @@ Command addView(CLI::App& app);
 Command addEvaluate(CLI::App& app);
 Command addReport(CLI::App& app);
 Command addSelftest(CLI::App& app);
+Command addDefaults(CLI::App& app);
 Command addDoctor(CLI::App& app);
 Command addVersion(CLI::App& app);
 

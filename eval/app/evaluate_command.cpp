@@ -29,7 +29,34 @@ struct Options {
   bool replace = false;
 };
 
+/// Ids are trusted; where the names behind them differ, two numberings were mixed up.
+void warnOfOtherNames(const Prediction& prediction, const LabelSpace& label_space) {
+  for (const LabelSpace::Entry& entry : prediction.graph.label_space.entries) {
+    const LabelSpace::Entry* ours = label_space.find(entry.label);
+    if (!ours || ours->name == entry.name || entry.name.empty()) continue;
+    fmt::print(stderr,
+               "{}: label {} is called '{}' there and '{}' in the dataset: is it the same class?\n",
+               prediction.method, entry.label, entry.name, ours->name);
+  }
+}
+
+void printRemarks(const MethodEvaluation& method) {
+  if (method.unscored_estimates > 0) {
+    fmt::print(stderr,
+               "{}: {} objects were left out: their class is not scored, or they stand for ground "
+               "truth that does not count\n",
+               method.method, method.unscored_estimates);
+  }
+  if (method.estimates_without_mesh > 0) {
+    fmt::print(stderr,
+               "{}: {} of {} objects have no mesh: they are found by their box, and have no shape "
+               "to score\n",
+               method.method, method.estimates_without_mesh, method.estimates.size());
+  }
+}
+
 int evaluate(const Options& options) {
+  AtomicFolder folder(options.out, options.replace ? kResultMarker : "");
   std::vector<Prediction> predictions;
   std::set<std::string> names;
   for (const std::filesystem::path& path : options.predictions) {
@@ -57,16 +84,13 @@ int evaluate(const Options& options) {
                             dataset.groundTruth(), setup.evaluation);
   Progress progress("evaluate", predictions.size());
   for (const Prediction& prediction : predictions) {
+    warnOfOtherNames(prediction, dataset.labelSpace());
     result.methods.push_back(evaluator.evaluate(prediction));
     progress.advance();
   }
-  writeResult(options.out, result, options.replace);
-  for (const MethodEvaluation& method : result.methods) {
-    if (method.unscored_estimates == 0) continue;
-    fmt::print(stderr, "{}: {} estimates of classes that are not scored were left out\n",
-               method.method, method.unscored_estimates);
-  }
+  for (const MethodEvaluation& method : result.methods) printRemarks(method);
   fmt::print("{}", renderTerminal(comparisonTable(allScores(result)), isatty(STDOUT_FILENO) == 1));
+  writeResult(folder, result);
   fmt::print("wrote {}\n", options.out.string());
   return kDone;
 }

@@ -21,6 +21,10 @@ std::string indented(const std::string& yaml) {
 
 }  // namespace
 
+std::string combinedConfig(const std::string& dataset_yaml, const std::string& evaluation_yaml) {
+  return "dataset:\n" + indented(dataset_yaml) + "evaluation:\n" + indented(evaluation_yaml);
+}
+
 EvaluationSetup openEvaluation(const std::filesystem::path& dataset_config,
                                const std::vector<std::string>& overrides) {
   ConfigDocument evaluation_document = ConfigDocument::fromString("{}", "evaluation");
@@ -40,8 +44,7 @@ EvaluationSetup openEvaluation(const std::filesystem::path& dataset_config,
   read(reader, setup.evaluation);
   reader.finish();
   setup.dataset = openDataset(dataset_config, dataset_overrides);
-  setup.resolved_config = "dataset:\n" + indented(setup.dataset.resolved_config) + "evaluation:\n" +
-                          indented(reader.resolved());
+  setup.resolved_config = combinedConfig(setup.dataset.resolved_config, reader.resolved());
   return setup;
 }
 

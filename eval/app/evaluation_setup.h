@@ -20,6 +20,9 @@ struct EvaluationSetup {
   std::string resolved_config;  ///< YAML with both sections
 };
 
+/// One YAML document out of the two.
+std::string combinedConfig(const std::string& dataset_yaml, const std::string& evaluation_yaml);
+
 /// Throws InputError, also for an override with another prefix.
 EvaluationSetup openEvaluation(const std::filesystem::path& dataset_config,
                                const std::vector<std::string>& overrides);

@@ -34,6 +34,10 @@ int runExport(const Options& options) {
                 [&] { progress.advance(); });
   fmt::print("wrote {} frames and {} ground-truth objects to {}\n", count,
              dataset.groundTruth().objects.size(), options.out.string());
+  if (count < dataset.numFrames()) {
+    fmt::print(stderr, "the visible fractions in ground_truth are those of all {} frames\n",
+               dataset.numFrames());
+  }
   return kDone;
 }
 

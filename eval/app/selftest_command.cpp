@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,12 @@ struct Options {
   std::filesystem::path out;
   std::filesystem::path prediction;
   std::vector<std::string> overrides;
+  bool replace = false;
 };
 
 int selftest(const Options& options) {
+  std::optional<AtomicFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out, options.replace ? kResultMarker : "");
   const EvaluationSetup setup = openEvaluation(options.dataset, options.overrides);
   const Dataset& dataset = *setup.dataset.dataset;
   if (!dataset.hasGroundTruth()) {
@@ -42,12 +46,12 @@ int selftest(const Options& options) {
                                check.detail.empty() ? "" : " (" + check.detail + ")");
                   });
   const bool passed = report.passed();
-  if (!options.out.empty()) {
+  if (folder) {
     Result result{dataset.name(),        seed,
                   dataset.labelSpace(),  {},
                   setup.resolved_config, currentProvenance(commandLine())};
     result.methods.push_back(std::move(report.ground_truth));
-    writeResult(options.out, result, true);
+    writeResult(*folder, result);
     fmt::print("wrote {}\n", options.out.string());
   }
   if (!options.prediction.empty()) {

@@ -113,7 +113,7 @@ void exportDataset(const Dataset& dataset, const fs::path& path, const ExportOpt
                                      ? dataset.numFrames()
                                      : std::min(options.num_frames, dataset.numFrames());
   if (num_frames == 0) throw InputError(fmt::format("{}: no frames to export", dataset.name()));
-  AtomicFolder result(path, options.replace);
+  AtomicFolder result(path, options.replace ? folder_layout::kDescription : "");
   const fs::path& folder = result.temporary();
 
   const double quantum_m = findQuantum(dataset.frame(0).depth);

@@ -24,16 +24,31 @@ std::vector<DetectionObject> detections(const std::vector<ScoredObject>& objects
   return result;
 }
 
-/// Centre and size come from the mesh; an object without one is known by its box alone.
-DetectionObject detectionOf(ObjectId id, Label label, const ObjectModel& model,
-                            const Aabb& fallback) {
-  const Aabb& box = model.mesh().empty() ? fallback : model.box();
-  DetectionObject detection{id, label, Eigen::Vector3d::Zero(), 0};
-  if (!box.isEmpty()) {
-    detection.center = box.center();
-    detection.half_diagonal = halfDiagonal(box);
+/// Centre and size are those of the box of the mesh; an object without a mesh is known by its box
+/// alone.
+ScoredObject scoredObject(ObjectId id, Label label, const std::string& name, const Aabb& box,
+                          std::shared_ptr<const ObjectModel> model) {
+  ScoredObject object;
+  object.detection = {id, label, box.center(), halfDiagonal(box)};
+  object.name = name;
+  object.box = box;
+  object.model = std::move(model);
+  return object;
+}
+
+PairScores scoresOf(const ScoredObject& estimate, const ScoredObject& truth) {
+  PairScores scores = scorePair(*estimate.model, *truth.model);
+  if (!estimate.model->hasSurface()) {
+    scores.b_iou = boxIou(estimate.box, truth.box);
+    const auto oriented = [](const Aabb& box) {
+      OrientedBox result;
+      result.T_world_box.translation() = box.center();
+      result.dimensions = box.sizes();
+      return result;
+    };
+    scores.obb_iou = orientedBoxIou(oriented(estimate.box), truth.model->orientedBox());
   }
-  return detection;
+  return scores;
 }
 
 /// Index of the nearest object of the same label; nullopt where there is none.
@@ -120,12 +135,15 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
     auto model =
         std::make_shared<const ObjectModel>(transformed(object.T_world_object, *object.mesh),
                                             ObjectModel::Role::kTruth, config_.modelConfig());
-    all[i] = {detectionOf(object.id, object.label, *model, Aabb()),
-              object.name,
-              object.subtype,
-              object.room,
-              object.visible_fraction,
-              model};
+    if (!model->hasSurface()) {
+      throw InputError(
+          fmt::format("dataset '{}': ground truth '{}': mesh without a surface, expected triangles",
+                      dataset_name_, object.name));
+    }
+    all[i] = scoredObject(object.id, object.label, object.name, model->box(), model);
+    all[i].subtype = object.subtype;
+    all[i].room = object.room;
+    all[i].visible_fraction = object.visible_fraction;
   });
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i]->scored && objects[i]->visible_fraction >= config_.min_visible_fraction) {
@@ -157,7 +175,13 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
     const ObjectNode& node = *nodes[i];
     auto model = std::make_shared<const ObjectModel>(node.mesh, ObjectModel::Role::kEstimate,
                                                      config_.modelConfig());
-    all[i] = {detectionOf(node.id, node.label, *model, node.box), node.name, "", "", {}, model};
+    const Aabb& box = node.mesh.empty() ? node.box : model->box();
+    if (box.isEmpty()) {
+      throw InputError(
+          fmt::format("prediction '{}': object {} '{}': neither a mesh nor a bounding box",
+                      prediction.method, node.id, node.name));
+    }
+    all[i] = scoredObject(node.id, node.label, node.name, box, model);
   });
   // An estimate of something that does not count is neither right nor wrong.
   const std::vector<DetectionObject> truths = detections(truths_);
@@ -174,6 +198,9 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
     if (!excused) evaluation.estimates.push_back(std::move(object));
   }
   evaluation.unscored_estimates = prediction.graph.objects.size() - evaluation.estimates.size();
+  evaluation.estimates_without_mesh = static_cast<std::size_t>(
+      std::count_if(evaluation.estimates.begin(), evaluation.estimates.end(),
+                    [](const ScoredObject& object) { return !object.model->hasSurface(); }));
   requireSameUnits(prediction.method, evaluation.estimates, evaluation.truths);
   const std::vector<DetectionObject> estimates = detections(evaluation.estimates);
 
@@ -196,8 +223,8 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
   const std::vector<MatchedPair> pairs(wanted.begin(), wanted.end());
   std::vector<PairScores> scores(pairs.size());
   parallelFor(pairs.size(), [&](std::size_t i) {
-    scores[i] = scorePair(*evaluation.estimates[pairs[i].estimate].model,
-                          *evaluation.truths[pairs[i].truth].model);
+    scores[i] =
+        scoresOf(evaluation.estimates[pairs[i].estimate], evaluation.truths[pairs[i].truth]);
   });
   std::map<MatchedPair, PairScores> pair_scores;
   for (std::size_t i = 0; i < pairs.size(); ++i) pair_scores.emplace(pairs[i], scores[i]);

@@ -23,6 +23,7 @@ struct ScoredObject {
   std::string subtype;
   std::string room;
   std::optional<double> visible_fraction;  ///< ground truth only
+  Aabb box;                                ///< of the mesh, or what is given in place of one
   std::shared_ptr<const ObjectModel> model;
 };
 
@@ -55,16 +56,18 @@ struct MethodEvaluation {
   std::size_t unscored_estimates =
       0;  ///< of classes that do not count, or nearest to ignored ground truth
   std::size_t unscored_truths = 0;
+  std::size_t estimates_without_mesh = 0;  ///< found by their box; only box scores
 };
 
 /// Ground truth prepared once for scoring any number of predictions against it.
 class Evaluator {
  public:
-  /// Throws InputError if no object of the ground truth counts.
+  /// Throws InputError if no object of the ground truth counts, and for one without a surface.
   Evaluator(std::string dataset_name, std::string seed, const LabelSpace& label_space,
             const GroundTruth& truth, const EvaluationConfig& config);
 
-  /// Throws InputError for a prediction that is plainly in other units (millimetres).
+  /// Throws InputError for a prediction that is plainly in other units (millimetres), and for an
+  /// object with neither mesh nor box.
   MethodEvaluation evaluate(const Prediction& prediction) const;
 
   const std::vector<ScoredObject>& truths() const { return truths_; }

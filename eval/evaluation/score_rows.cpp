@@ -217,6 +217,25 @@ std::vector<ScoreRow> kappaAreaRows(const ScoreContext& context,
     row.n = counts.estimates + counts.truths;
     rows.push_back(std::move(row));
   }
+  // The area is linear, so the macro area is the mean of the areas of the classes with ground
+  // truth.
+  for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
+    ScoreRow macro = rows.front();
+    macro.class_name = kAllMacro;
+    macro.matching = name(matching);
+    macro.n = 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const KappaSweep& sweep = curves[i].sweep;
+      if (curves[i].class_name == kAllMicro || sweep.matching != matching ||
+          sweep.at(0).truths == 0)
+        continue;
+      sum += rows[i].value.value_or(0);
+      ++macro.n;
+    }
+    macro.value = sum / static_cast<double>(macro.n);
+    rows.push_back(std::move(macro));
+  }
   return rows;
 }
 

@@ -58,7 +58,7 @@ std::string provenanceJson(const Provenance& provenance) {
       {"cores", provenance.cores},     {"system", provenance.system},
       {"command", provenance.command}, {"started_utc", provenance.started_utc},
   };
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string versionLine(const Provenance& provenance) {

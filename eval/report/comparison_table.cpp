@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "core/types/error.h"
+
 namespace hydrabench {
 namespace {
 
@@ -17,6 +19,7 @@ const std::vector<TableColumn> kColumns = {
     {"recall", "R↑", R"(R\,$\uparrow$)", true, 3, true},
     {"f1", "F1↑", R"(F$_1$\,$\uparrow$)", true, 3, true},
     {"chamfer_sq", "Chamf.↓", R"(Chamf.\,$\downarrow$)", false, 4, true},
+    {"chamfer_sq_floor", "floor", "floor", false, 4, false},
     {"b_iou", "B-IoU↑", R"(B-IoU\,$\uparrow$)", true, 3, true},
     {"v_iou_solid", "V-IoU↑", R"(V-IoU\,$\uparrow$)", true, 3, true},
     {"chamfer_l1_all_gt", "Chamf.L1 all↓", R"(Chamf.$_{L1}^{\mathrm{all}}$\,$\downarrow$)", false,
@@ -26,6 +29,7 @@ const std::vector<TableColumn> kColumns = {
     {"matched_estimates", "hit est.", R"(hit est.)", true, 0, false},
     {"found_truths", "found GT", R"(found GT)", true, 0, false},
     {"truths", "GT", R"(GT)", true, 0, false},
+    {"duplicates", "dupl.", R"(dupl.)", false, 0, false},
 };
 
 /// Marks the best three different printed values, so that two cells that look the same are marked
@@ -87,7 +91,15 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::st
     }
     datasets.insert(row.dataset);
     block_keys.emplace(*row.threshold, row.matching);
-    cells[{*row.threshold, row.matching, row.method, row.metric}] = &row;
+    const auto [cell, fresh] =
+        cells.emplace(CellKey{*row.threshold, row.matching, row.method, row.metric}, &row);
+    if (!fresh) {
+      throw InputError(
+          fmt::format("scores of dataset '{}', seed {} and of dataset '{}', seed {} compete for "
+                      "one cell ({}, {}), expected rows of seed 'pooled'",
+                      cell->second->dataset, cell->second->seed, row.dataset, row.seed, row.method,
+                      row.metric));
+    }
   }
 
   ComparisonTable table;
@@ -120,6 +132,8 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::st
       "Chamf. [m^2], B-IoU and V-IoU are means over matched pairs (the paper's rule); the columns "
       "marked 'all' are means over all "
       "ground-truth objects, a miss counting with the worst value.",
+      "floor: what Chamf. would be for a perfect estimate, by sampling alone. dupl.: estimates "
+      "inside the gate of an object that another one has taken.",
       "[low, high]: 95 % percentile bootstrap over objects.",
   };
   return table;

@@ -50,7 +50,8 @@ struct ComparisonTable {
 };
 
 /// The comparison table of the paper (Table I) for one class (kAllMicro: all objects), every metric
-/// threshold in the rows, both matching semantics, methods in order of appearance.
+/// threshold in the rows, both matching semantics, methods in order of appearance. Throws
+/// InputError where two rows claim one cell.
 ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows,
                                 const std::string& class_name = kAllMicro);
 

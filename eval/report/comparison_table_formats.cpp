@@ -202,7 +202,7 @@ std::string renderJson(const ComparisonTable& table) {
     }
     json["blocks"].push_back(std::move(block_json));
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace hydrabench

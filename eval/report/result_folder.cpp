@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "eval/report/result_folder.h"
 
-#include "core/io/atomic_file.h"
 #include "eval/evaluation/csv.h"
 #include "eval/report/comparison_table.h"
 
@@ -118,9 +117,8 @@ std::string kappaCsv(const Result& result) {
   return text;
 }
 
-void writeResult(const std::filesystem::path& folder, const Result& result, bool replace) {
-  AtomicFolder target(folder, replace);
-  const std::filesystem::path& out = target.temporary();
+void writeResult(AtomicFolder& folder, const Result& result) {
+  const std::filesystem::path& out = folder.temporary();
   const std::vector<ScoreRow> scores = allScores(result);
   const ComparisonTable table = comparisonTable(scores);
   writeFileAtomic(out / "scores.csv", scoresCsv(scores));
@@ -132,7 +130,7 @@ void writeResult(const std::filesystem::path& folder, const Result& result, bool
   writeFileAtomic(out / "table.json", renderJson(table));
   writeFileAtomic(out / "config.yaml", result.config);
   writeFileAtomic(out / "provenance.json", provenanceJson(result.provenance));
-  target.commit();
+  folder.commit();
 }
 
 }  // namespace hydrabench

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "core/io/atomic_file.h"
 #include "eval/evaluation/evaluator.h"
 #include "eval/experiment/provenance.h"
 
@@ -21,9 +21,13 @@ struct Result {
   Provenance provenance;
 };
 
+/// A result folder can be replaced by another: it is known by this file.
+inline constexpr const char* kResultMarker = "provenance.json";
+
 /// Writes scores.csv, objects.csv, kappa.csv, table.*, config.yaml and provenance.json
-/// (docs/metrics.md). The folder appears complete or not at all; `replace` swaps one that is there.
-void writeResult(const std::filesystem::path& folder, const Result& result, bool replace);
+/// (docs/metrics.md) and commits the folder. Claim it before the work: what cannot be written
+/// should be known first.
+void writeResult(AtomicFolder& folder, const Result& result);
 
 std::vector<ScoreRow> allScores(const Result& result);
 std::string objectsCsv(const Result& result);  ///< a row per estimate and per missed ground-truth

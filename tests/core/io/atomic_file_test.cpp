@@ -102,15 +102,24 @@ TEST(AtomicFolder, RefusesToTouchAFilledFolder) {
 TEST(AtomicFolder, SwapsAFilledFolderOnRequest) {
   TemporaryFolder folder;
   writeFileAtomic(folder / "out/old.txt", "old");
-  { AtomicFolder abandoned(folder / "out", true); }
+  { AtomicFolder abandoned(folder / "out", "old.txt"); }
   EXPECT_EQ(readFile(folder / "out/old.txt"), "old");
-  AtomicFolder result(folder / "out", true);
+  AtomicFolder result(folder / "out", "old.txt");
   writeFileAtomic(result.temporary() / "new.txt", "new");
   EXPECT_EQ(readFile(folder / "out/old.txt"), "old");
   result.commit();
   EXPECT_FALSE(fs::exists(folder / "out/old.txt"));
   EXPECT_EQ(readFile(folder / "out/new.txt"), "new");
   EXPECT_EQ(numEntries(folder.path()), 1u) << "the old folder was left under another name";
+}
+
+TEST(AtomicFolder, DoesNotReplaceWhatItDidNotWrite) {
+  TemporaryFolder folder;
+  writeFileAtomic(folder / "out/thesis.tex", "years of work");
+  EXPECT_THAT(
+      messageOf<InputError>([&] { AtomicFolder result(folder / "out", "provenance.json"); }),
+      HasSubstr("not replaced"));
+  EXPECT_EQ(readFile(folder / "out/thesis.tex"), "years of work");
 }
 
 }  // namespace

@@ -56,10 +56,10 @@ TEST_F(Command, TeachesWithoutArguments) {
 
 TEST_F(Command, HelpsForEverySubcommand) {
   for (const std::string name :
-       {"doctor", "selftest", "view", "export", "evaluate", "report", "version"}) {
+       {"doctor", "selftest", "view", "export", "evaluate", "report", "defaults", "version"}) {
     const Outcome outcome = run(name + " --help");
     EXPECT_EQ(outcome.exit_code, 0) << name;
-    EXPECT_THAT(outcome.out, HasSubstr("--threads")) << name;
+    EXPECT_THAT(outcome.out, HasSubstr("Usage: hydrabench " + name)) << name;
   }
 }
 
@@ -69,6 +69,18 @@ TEST_F(Command, PrintsItsVersion) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_THAT(outcome.out, ::testing::StartsWith("hydrabench 0.1.0 ("));
   }
+}
+
+TEST_F(Command, PrintsTheDefaultsThatAreWrittenDown) {
+  EXPECT_EQ(run("defaults").out,
+            readText(std::filesystem::path(HYDRABENCH_SOURCE_DIR) / "configs/default.yaml"))
+      << "make the file anew: hydrabench defaults > configs/default.yaml";
+}
+
+TEST_F(Command, ReplacesResultsOnly) {
+  writeText(folder_ / "mine/thesis.tex", "years of work");
+  expectFault(fmt::format("selftest {} --out {} --replace", kWorld, path("mine")), "not replaced");
+  EXPECT_EQ(readText(folder_ / "mine/thesis.tex"), "years of work");
 }
 
 TEST_F(Command, IsHealthyHere) {

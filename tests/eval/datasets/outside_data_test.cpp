@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Recordings and worlds by others. They are not part of the project: the tests look for them below
-// HYDRABENCH_DATA or beside the project, and skip where they are absent.
+// HYDRABENCH_DATA and skip where they are absent.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 fs::path dataRoot() {
   const char* variable = std::getenv("HYDRABENCH_DATA");
-  return variable ? fs::path(variable) : fs::path(HYDRABENCH_SOURCE_DIR) / "../shared/data";
+  return variable ? variable : "";
 }
 
 OpenedDataset open(const char* config, std::vector<std::string> overrides = {}) {

@@ -140,6 +140,33 @@ TEST(Evaluator, CountsAnEstimateWithoutMeshByItsBoxButGivesItNoShape) {
   const MethodEvaluation evaluation = evaluator(truth).evaluate(prediction);
   EXPECT_EQ(value(evaluation, "recall", kAllMicro), 1.0);
   EXPECT_NEAR(*value(evaluation, "v_iou_solid_all_gt", kAllMicro), 5.0 / 6, 1e-12);
+  EXPECT_EQ(value(evaluation, "b_iou", kAllMicro), 1.0);
+  EXPECT_EQ(evaluation.estimates_without_mesh, 1u);
+}
+
+TEST(Evaluator, RefusesAnObjectWithNeitherMeshNorBox) {
+  const GroundTruth truth = row();
+  Prediction prediction = predicted(truth, 0);
+  prediction.graph.objects[2].mesh = Mesh();
+  prediction.graph.objects[2].box = Aabb();
+  const std::string message = messageOf<InputError>([&] { evaluator(truth).evaluate(prediction); });
+  EXPECT_NE(message.find("'object_2': neither a mesh nor a bounding box"), std::string::npos)
+      << message;
+}
+
+TEST(Evaluator, RefusesGroundTruthWithoutASurface) {
+  GroundTruth truth = row();
+  truth.objects[1].mesh = std::make_shared<const Mesh>();
+  const std::string message = messageOf<InputError>([&] { evaluator(truth); });
+  EXPECT_EQ(message,
+            "dataset 'row': ground truth 'object_1': mesh without a surface, expected triangles");
+}
+
+TEST(Evaluator, AveragesTheAreaUnderF1OverClasses) {
+  const GroundTruth truth = row();
+  // No bin found, every chair exactly: the areas are 1 and 0.
+  const MethodEvaluation evaluation = evaluator(truth).evaluate(predicted(truth, 0, {4, 5}));
+  EXPECT_EQ(value(evaluation, "f1_kappa_auc", kAllMacro, kExists, 1.0), 0.5);
 }
 
 TEST(Evaluator, RefusesMillimetres) {
@@ -205,7 +232,7 @@ TEST(SelfTest, PassesOnSoundGroundTruth) {
   const SelfTestReport report = runSelfTest("row", "1", labels(), row(), quickConfig());
   for (const SelfTestCheck& check : report.checks)
     EXPECT_TRUE(check.passed) << check.claim << ": " << check.detail;
-  EXPECT_GE(report.checks.size(), 11u);
+  EXPECT_GE(report.checks.size(), 14u);
 }
 
 TEST(SelfTest, FailsWhereTwoObjectsOfAClassStandInOnePlace) {
@@ -214,6 +241,27 @@ TEST(SelfTest, FailsWhereTwoObjectsOfAClassStandInOnePlace) {
   truth.objects[1].mesh = std::make_shared<const Mesh>(
       boxMesh(Aabb(Eigen::Vector3d(-0.5, -0.5, -0.25), Eigen::Vector3d(0.5, 0.5, 0.75))));
   EXPECT_FALSE(runSelfTest("row", "1", labels(), truth, quickConfig()).passed());
+}
+
+TEST(SelfTest, SeesWhatBothSidesOfAComparisonShare) {
+  GroundTruth twice = row();
+  twice.objects.push_back(twice.objects[0]);
+  twice.objects.back().id = 77;
+  EXPECT_FALSE(runSelfTest("row", "1", labels(), twice, quickConfig()).passed());
+
+  GroundTruth inverted = row();
+  Mesh mesh = *inverted.objects[0].mesh;
+  for (Eigen::Vector3i& face : mesh.faces) std::swap(face[0], face[1]);
+  inverted.objects[0].mesh = std::make_shared<const Mesh>(mesh);
+  EXPECT_FALSE(runSelfTest("row", "1", labels(), inverted, quickConfig()).passed());
+
+  GroundTruth millimetres = row();
+  for (GroundTruthObject& object : millimetres.objects) {
+    object.mesh = std::make_shared<const Mesh>(scaled(1000, *object.mesh));
+  }
+  EvaluationConfig coarse = quickConfig();
+  coarse.voxel_pitch_m = 10;
+  EXPECT_FALSE(runSelfTest("row", "1", labels(), millimetres, coarse).passed());
 }
 
 }  // namespace

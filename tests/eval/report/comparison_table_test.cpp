@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/types/error.h"
+
 namespace hydrabench {
 namespace {
 
@@ -62,6 +64,13 @@ TEST(ComparisonTable, PrefersPooledSeeds) {
                                 score("a", 0.2, kExists, "f1", 0.2)};
   rows[1].seed = kPooledSeed;
   EXPECT_EQ(comparisonTable(rows).blocks[0].rows[0].cells[2].value, 0.2);
+}
+
+TEST(ComparisonTable, RefusesTwoSeedsThatClaimOneCell) {
+  std::vector<ScoreRow> rows = {score("a", 0.2, kExists, "f1", 0.1),
+                                score("a", 0.2, kExists, "f1", 0.2)};
+  rows[1].seed = "2";
+  EXPECT_THROW(comparisonTable(rows), InputError);
 }
 
 TEST(ComparisonTable, PrintsUndefinedAsNotAvailableAndNeverRanksIt) {

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "eval/app/app.h"
+#include "eval/app/evaluation_setup.h"
+#include "eval/simulation/simulated_dataset.h"
+
+namespace hydrabench {
+namespace {
+
+int printDefaults() {
+  ConfigReader dataset(ConfigDocument::fromString("{}", "defaults"));
+  SimulatedConfig simulated;
+  read(dataset, simulated);
+  ConfigReader evaluation(ConfigDocument::fromString("{}", "defaults"));
+  EvaluationConfig scoring;
+  read(evaluation, scoring);
+  fmt::print(
+      "# Every key of the default office and of the evaluation, at its default.\n"
+      "# Made by: hydrabench defaults > configs/default.yaml\n{}",
+      combinedConfig("type: simulated\n" + dataset.resolved(), evaluation.resolved()));
+  return kDone;
+}
+
+}  // namespace
+
+Command addDefaults(CLI::App& app) {
+  app.footer("Keys below 'dataset' go into a dataset's YAML; --set takes any of them.");
+  return [] { return printDefaults(); };
+}
+
+}  // namespace hydrabench
