@@ -73,6 +73,7 @@ Command addSelftest(CLI::App& app) {
   app.add_option("--out", options->out,
                  "also write the result folder of ground truth against itself")
       ->type_name("RESULT");
+  app.add_flag("--replace", options->replace, "replace the result folder if it exists");
   app.add_option(
          "--prediction", options->prediction,
          "also write ground truth as a prediction folder: an example of what evaluate reads")
