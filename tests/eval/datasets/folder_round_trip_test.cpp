@@ -154,9 +154,16 @@ TEST(FolderDataset, ExportRefusesAFilledFolderUnlessToldToReplaceIt) {
   writeText(folder / "out/precious.txt", "p");
   EXPECT_THAT(messageOf<InputError>([&] { exportDataset(ToyDataset(), folder / "out"); }),
               HasSubstr("out: exists already and is not empty"));
-  exportDataset(ToyDataset(), folder / "out", {.replace = true});
-  EXPECT_FALSE(fs::exists(folder / "out/precious.txt"));
-  EXPECT_TRUE(fs::exists(folder / "out/dataset.yaml"));
+  EXPECT_THAT(messageOf<InputError>(
+                  [&] { exportDataset(ToyDataset(), folder / "out", {.replace = true}); }),
+              HasSubstr("not replaced"));
+  EXPECT_TRUE(fs::exists(folder / "out/precious.txt"));
+
+  exportDataset(ToyDataset(), folder / "world");
+  writeText(folder / "world/leftover.txt", "l");
+  exportDataset(ToyDataset(), folder / "world", {.replace = true});
+  EXPECT_FALSE(fs::exists(folder / "world/leftover.txt"));
+  EXPECT_TRUE(fs::exists(folder / "world/dataset.yaml"));
 }
 
 /// Breaks off in the middle.
