@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/config/config_reader.h"
+#include "core/mapping/freespace.h"
+#include "core/mapping/map_mesh.h"
+#include "core/mapping/sensor_view.h"
+#include "core/mapping/tsdf_integrator.h"
+#include "core/mapping/tsdf_volume.h"
+
+namespace hydrabench {
+
+/// The part of the map that still changes: TSDF blocks around the robot, with the mesh of all that
+/// was ever mapped.
+class ActiveWindow {
+ public:
+  struct Config {
+    TsdfVolume::Config tsdf;
+    TsdfIntegrator::Config integrator;
+    /// spatial: a block that was not updated in this frame is archived when its centre is farther
+    /// than radius_m from the sensor (Hydra). temporal: when no voxel of it was observed for
+    /// window_s (Khronos).
+    std::string archive = "spatial";
+    double radius_m = 8;
+    double window_s = 3;
+    double mesh_min_weight = 1e-4;
+    double vertex_merge_m = 0.005;
+    double output_separation_s = 0.2;  ///< of two updates of the mesh
+    bool track_freespace = false;      ///< keep FreespaceVoxels: motion detection needs them
+    FreespaceTracker::Config freespace;
+  };
+  explicit ActiveWindow(const Config& config);
+
+  void integrate(const SensorView& view);
+
+  /// True if the last mesh update lies output_separation_s back (or there was none).
+  bool updateDue(std::int64_t stamp_ns) const;
+  /// Takes the mesh of the blocks that changed, then archives those that left the window.
+  /// @return  the archived blocks
+  std::vector<BlockIndex> update(std::int64_t stamp_ns, const Eigen::Vector3d& sensor_position);
+  /// Takes the mesh of all that is left and archives it: the end of a run.
+  void finish();
+
+  const TsdfVolume& volume() const { return volume_; }
+  const MapMesh& mesh() const { return mesh_; }
+
+ private:
+  Config config_;
+  TsdfIntegrator integrator_;
+  TsdfVolume volume_;
+  MapMesh mesh_;
+};
+
+void read(ConfigReader& reader, ActiveWindow::Config& config);
+
+}  // namespace hydrabench

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/config/config_reader.h"
+#include "core/mapping/tsdf_volume.h"
+
+namespace hydrabench {
+
+/// Keeps, per voxel, when it was last seen and last full, and whether it was ever reliably empty
+/// (Khronos; after Schmid et al., "Dynablox", RA-L 2023).
+class FreespaceTracker {
+ public:
+  struct Config {
+    double occupied_distance_voxels = 1.5;  ///< full where the distance is below this
+    double free_after_s = 1;                ///< empty for this long: free
+  };
+  explicit FreespaceTracker(const Config& config) : config_(config) {}
+
+  /// Updates the voxels of the blocks that a frame changed. A voxel becomes ever-free when it and
+  /// its 18 neighbours are free or ever-free.
+  /// @param blocks  those that TsdfIntegrator::integrate returned
+  void update(std::span<const BlockIndex> blocks, std::int64_t stamp_ns, TsdfVolume& volume) const;
+
+ private:
+  Config config_;
+};
+
+void read(ConfigReader& reader, FreespaceTracker::Config& config);
+
+}  // namespace hydrabench

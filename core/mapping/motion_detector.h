@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/config/config_reader.h"
+#include "core/geometry/box.h"
+#include "core/mapping/sensor_view.h"
+#include "core/mapping/tsdf_volume.h"
+
+namespace hydrabench {
+
+/// Moving things of one frame.
+struct MotionDetection {
+  Image<std::uint8_t> ids;  ///< 0: static; else the number of the cluster + 1
+  struct Cluster {
+    std::vector<std::uint32_t> pixels;  ///< row-major indices, ascending
+    Aabb box;                           ///< world [m]
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  };
+  std::vector<Cluster> clusters;
+};
+
+/// Finds what is where space was known to be empty (Khronos' FreeSpaceMotionDetector).
+class MotionDetector {
+ public:
+  struct Config {
+    bool enabled = true;
+    int min_pixels = 500;
+    int max_pixels = 1000000;
+    double min_separation_voxels = 2;  ///< clusters closer than this are one
+    double max_range_m = 5;
+  };
+  explicit MotionDetector(const Config& config) : config_(config) {}
+
+  /// @param volume  with free space tracked
+  MotionDetection detect(const SensorView& view, const TsdfVolume& volume) const;
+
+ private:
+  Config config_;
+};
+
+void read(ConfigReader& reader, MotionDetector::Config& config);
+
+}  // namespace hydrabench

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/box.h"
+#include "core/mapping/voxel_grid.h"
+#include "core/types/ids.h"
+#include "core/types/image.h"
+
+namespace hydrabench {
+
+/// Something in one frame that may be an object.
+struct ObjectCandidate {
+  std::uint16_t id = 0;  ///< its number in the id image of the frame, from 1
+  Label label = kUnknownLabel;
+  bool dynamic = false;               ///< found by motion, not by its class
+  std::vector<std::uint32_t> pixels;  ///< row-major indices, ascending; all of them measured
+  std::vector<GlobalVoxel> voxels;    ///< of the tracker's grid, sorted by IndexLess, unique
+  Aabb box;                           ///< of its points in the world [m]
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of its points in the world [m]
+};
+
+/// The candidates of a frame.
+struct FrameCandidates {
+  Image<std::uint16_t> ids;  ///< 0: background
+  std::vector<ObjectCandidate> candidates;
+};
+
+}  // namespace hydrabench
