@@ -9,7 +9,7 @@
 namespace hydrabench {
 
 std::vector<Eigen::Vector3d> inCellUnits(const std::vector<Eigen::Vector3d>& vertices,
-                                         const VoxelGrid& grid) {
+                                         const VoxelLattice& grid) {
   std::vector<Eigen::Vector3d> result(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {

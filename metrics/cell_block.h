@@ -17,7 +17,7 @@ namespace hydrabench {
 /// Vertices in units of the pitch from the grid's origin; within 1e-6 of a multiple of one half
 /// they are moved onto it (voxelize.h).
 std::vector<Eigen::Vector3d> inCellUnits(const std::vector<Eigen::Vector3d>& vertices,
-                                         const VoxelGrid& grid);
+                                         const VoxelLattice& grid);
 
 /// The block of cells around the vertices of a mesh: workspace of the voxelizers.
 struct CellBlock {

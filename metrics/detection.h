@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 
@@ -20,6 +21,9 @@ struct DetectionObject {
   Label label = kUnknownLabel;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of the AABB of the world mesh [m]
   double half_diagonal = 0;                          ///< d_diag, of the same box [m]
+  /// Objects of different worlds never meet: several scenes or seeds are scored together by giving
+  /// each its own number. Ids are unique within a world.
+  std::uint32_t world = 0;
 };
 
 /// Box around the vertices that faces use; around all vertices if there are no faces. Stray

@@ -22,7 +22,7 @@ std::vector<Edge> edgesByKappa(std::span<const DetectionObject> estimates,
   for (std::size_t g = 0; g < truths.size(); ++g) {
     if (!(truths[g].half_diagonal > 0)) continue;  // never admitted
     for (std::size_t e = 0; e < estimates.size(); ++e) {
-      if (estimates[e].label != truths[g].label) continue;
+      if (estimates[e].label != truths[g].label || estimates[e].world != truths[g].world) continue;
       const double distance = (estimates[e].center - truths[g].center).norm();
       edges.push_back({distance / truths[g].half_diagonal, e, g});
     }

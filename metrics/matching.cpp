@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 
-/// The objects of one class, by ascending id: rows and columns of its distance table.
+/// The objects of one class in one world, by ascending id: rows and columns of its distance table.
 struct ClassMembers {
   std::vector<std::size_t> estimates;
   std::vector<std::size_t> truths;
@@ -26,14 +26,18 @@ void sortById(std::vector<std::size_t>& indices, std::span<const DetectionObject
                    [&](std::size_t a, std::size_t b) { return objects[a].id < objects[b].id; });
 }
 
-std::map<Label, ClassMembers> groupByClass(std::span<const DetectionObject> estimates,
-                                           std::span<const DetectionObject> truths) {
-  std::map<Label, ClassMembers> classes;
+using ClassKey = std::pair<Label, std::uint32_t>;  ///< class and world
+
+ClassKey keyOf(const DetectionObject& object) { return {object.label, object.world}; }
+
+std::map<ClassKey, ClassMembers> groupByClass(std::span<const DetectionObject> estimates,
+                                              std::span<const DetectionObject> truths) {
+  std::map<ClassKey, ClassMembers> classes;
   for (std::size_t e = 0; e < estimates.size(); ++e) {
-    classes[estimates[e].label].estimates.push_back(e);
+    classes[keyOf(estimates[e])].estimates.push_back(e);
   }
-  for (std::size_t g = 0; g < truths.size(); ++g) classes[truths[g].label].truths.push_back(g);
-  for (auto& [label, members] : classes) {
+  for (std::size_t g = 0; g < truths.size(); ++g) classes[keyOf(truths[g])].truths.push_back(g);
+  for (auto& [key, members] : classes) {
     sortById(members.estimates, estimates);
     sortById(members.truths, truths);
   }
@@ -67,7 +71,7 @@ DetectionMatches matchByClass(Matching matching, std::span<const DetectionObject
   matches.matching = matching;
   matches.truth_of_estimate.resize(estimates.size());
   matches.estimate_of_truth.resize(truths.size());
-  for (const auto& [label, members] : groupByClass(estimates, truths)) {
+  for (const auto& [key, members] : groupByClass(estimates, truths)) {
     if (members.estimates.empty() || members.truths.empty()) continue;
     const Eigen::MatrixXd distances = gatedDistances(members, estimates, truths, threshold);
     match_class(members, distances, matches);

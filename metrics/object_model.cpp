@@ -74,7 +74,8 @@ ObjectModel::ObjectModel(Mesh mesh_world, Role role, const Config& config)
     impl_->surface.commit();
   }
   const SolidVoxelizer solid(mesh);
-  for (const VoxelGrid& grid : jitteredGrids(config.grid, config.jittered_origins, config.seed)) {
+  for (const VoxelLattice& grid :
+       jitteredGrids(config.grid, config.jittered_origins, config.seed)) {
     impl_->solid_voxels.push_back(solid.voxelize(grid));
     impl_->surface_voxels.push_back(hydrabench::surfaceVoxels(mesh, grid));
   }

@@ -27,7 +27,7 @@ class ObjectModel {
   enum class Role { kEstimate, kTruth };
   struct Config {
     std::size_t samples = 10000;       ///< N, drawn uniformly by area
-    VoxelGrid grid;                    ///< common to all objects
+    VoxelLattice grid;                 ///< common to all objects
     std::size_t jittered_origins = 8;  ///< further grids, for the spread of v_iou
     std::uint64_t seed = 0;
   };

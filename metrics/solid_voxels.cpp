@@ -173,7 +173,7 @@ namespace {
 
 /// The cells of a block whose centres satisfy is_inside(centre in the world).
 template <typename IsInside>
-VoxelSet byCenters(const CellBlock& block, const VoxelGrid& grid, const IsInside& is_inside) {
+VoxelSet byCenters(const CellBlock& block, const VoxelLattice& grid, const IsInside& is_inside) {
   const auto height = static_cast<std::size_t>(block.size.z());
   const auto depth = static_cast<std::size_t>(block.size.y());
   return collectRuns(block, [&](std::size_t index) {
@@ -205,7 +205,7 @@ bool SolidVoxelizer::countsCrossings() const {
   return !impl_->faces.empty() && !impl_->winding_number;
 }
 
-std::optional<VoxelSet> SolidVoxelizer::voxelize(const VoxelGrid& grid) const {
+std::optional<VoxelSet> SolidVoxelizer::voxelize(const VoxelLattice& grid) const {
   const std::vector<Point> cell_vertices = inCellUnits(impl_->vertices, grid);
   const std::optional<CellBlock> block = blockAround(cell_vertices, impl_->faces);
   if (!block) return std::nullopt;
@@ -215,7 +215,7 @@ std::optional<VoxelSet> SolidVoxelizer::voxelize(const VoxelGrid& grid) const {
                    [&](const Point& center) { return impl_->winding_number->at(center) > 0.5; });
 }
 
-VoxelSet solidVoxelsReference(const Mesh& mesh, const VoxelGrid& grid) {
+VoxelSet solidVoxelsReference(const Mesh& mesh, const VoxelLattice& grid) {
   const std::optional<CellBlock> block = blockAround(inCellUnits(mesh.vertices, grid), mesh.faces);
   if (!block || block->cells() == 0) return VoxelSet();
   const WindingNumber winding_number(mesh);

@@ -93,7 +93,7 @@ void markFace(const Point& a, const Point& b, const Point& c, const CellBlock& b
 
 }  // namespace
 
-std::optional<VoxelSet> surfaceVoxels(const Mesh& mesh, const VoxelGrid& grid) {
+std::optional<VoxelSet> surfaceVoxels(const Mesh& mesh, const VoxelLattice& grid) {
   const std::vector<Point> vertices = inCellUnits(mesh.vertices, grid);
   const std::optional<CellBlock> block = blockAround(vertices, mesh.faces);
   if (!block) return std::nullopt;

@@ -17,11 +17,12 @@ auto columnOf(const VoxelSet::Run& run) { return std::tie(run.x, run.y); }
 
 }  // namespace
 
-std::vector<VoxelGrid> jitteredGrids(const VoxelGrid& grid, std::size_t count, std::uint64_t seed) {
-  std::vector<VoxelGrid> grids = {grid};
+std::vector<VoxelLattice> jitteredGrids(const VoxelLattice& grid, std::size_t count,
+                                        std::uint64_t seed) {
+  std::vector<VoxelLattice> grids = {grid};
   for (std::size_t i = 0; i < count; ++i) {
     Random random(seed, i);
-    VoxelGrid moved = grid;
+    VoxelLattice moved = grid;
     for (double& coordinate : moved.origin) coordinate += grid.pitch_m * random.uniform();
     grids.push_back(moved);
   }

@@ -14,14 +14,15 @@ namespace hydrabench {
 
 /// A lattice of cubic cells over all of space. Cell (i, j, k) covers [i, i+1) x [j, j+1) x [k, k+1)
 /// in units of the pitch from the origin: half-open, so every point lies in exactly one cell.
-struct VoxelGrid {
+struct VoxelLattice {
   double pitch_m = 0.05;                             ///< edge of a cell [m], above 0
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner of cell (0, 0, 0) [m]
 };
 
 /// The grid itself and `count` copies whose origins are moved by up to one pitch along each axis.
 /// Deterministic for a seed.
-std::vector<VoxelGrid> jitteredGrids(const VoxelGrid& grid, std::size_t count, std::uint64_t seed);
+std::vector<VoxelLattice> jitteredGrids(const VoxelLattice& grid, std::size_t count,
+                                        std::uint64_t seed);
 
 /// A set of cells of one grid as runs along z: small, and quick to intersect. Sets of different
 /// grids must not be mixed.

@@ -35,7 +35,7 @@ class SolidVoxelizer {
   SolidVoxelizer& operator=(SolidVoxelizer&&) noexcept;
 
   /// Thread-safe. Empty for a mesh without faces.
-  std::optional<VoxelSet> voxelize(const VoxelGrid& grid) const;
+  std::optional<VoxelSet> voxelize(const VoxelLattice& grid) const;
   bool countsCrossings() const;  ///< the mesh bounds a volume, so the fast way is taken
 
  private:
@@ -45,11 +45,11 @@ class SolidVoxelizer {
 
 /// All cells in bounds asked one by one, with WindingNumber::exactAt: the reference for
 /// SolidVoxelizer. Slow.
-VoxelSet solidVoxelsReference(const Mesh& mesh, const VoxelGrid& grid);
+VoxelSet solidVoxelsReference(const Mesh& mesh, const VoxelLattice& grid);
 
 /// The cells that the surface touches: exact triangle-box overlap by separating axes
 /// (Akenine-Moeller, JGT 2001), with half-open cells, so that a face on a border belongs to the
 /// cells above it only. Faces without area mark the cells of their edges.
-std::optional<VoxelSet> surfaceVoxels(const Mesh& mesh, const VoxelGrid& grid);
+std::optional<VoxelSet> surfaceVoxels(const Mesh& mesh, const VoxelLattice& grid);
 
 }  // namespace hydrabench

@@ -35,17 +35,29 @@ Prediction readPrediction(const fs::path& path) {
   if (graph_file.filename() == kGraphFile && fs::exists(folder / kPredictionFile)) {
     const fs::path description = folder / kPredictionFile;
     const nlohmann::json json = parseJsonFile(description);
-    prediction.method = JsonField(json, description.string() + ": ").at("method").text();
+    const JsonField field(json, description.string() + ": ");
+    prediction.method = field.at("method").text();
+    if (const auto notes = field.find("notes")) {
+      for (std::size_t i = 0; i < notes->size(); ++i) {
+        prediction.notes.push_back(notes->item(i).text());
+      }
+    }
   }
   return prediction;
 }
 
+void fillPredictionFolder(const fs::path& folder, const Prediction& prediction) {
+  writeSparkDsg(folder / kGraphFile, prediction.graph);
+  JsonText json;
+  json.beginObject().member("method", prediction.method).key("notes").beginArray();
+  for (const std::string& note : prediction.notes) json.value(note);
+  json.endArray().endObject().newline();
+  writeFileAtomic(folder / kPredictionFile, json.text());
+}
+
 void writePrediction(const fs::path& folder, const Prediction& prediction) {
   AtomicFolder result(folder);
-  writeSparkDsg(result.temporary() / kGraphFile, prediction.graph);
-  JsonText json;
-  json.beginObject().member("method", prediction.method).endObject().newline();
-  writeFileAtomic(result.temporary() / kPredictionFile, json.text());
+  fillPredictionFolder(result.temporary(), prediction);
   result.commit();
 }
 

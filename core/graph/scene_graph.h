@@ -38,7 +38,8 @@ struct SceneGraph {
 /// What a mapping system leaves behind, and what evaluation reads.
 struct Prediction {
   SceneGraph graph;
-  std::string method;  ///< name of the method that made it, as it appears in tables
+  std::string method;              ///< name of the method that made it, as it appears in tables
+  std::vector<std::string> notes;  ///< what a reader of the table must know of the method
 };
 
 }  // namespace hydrabench

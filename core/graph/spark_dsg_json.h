@@ -27,5 +27,7 @@ ObjectId objectNodeId(std::uint64_t index);
 /// scene_graph.json is accepted as well.
 Prediction readPrediction(const std::filesystem::path& path);
 void writePrediction(const std::filesystem::path& folder, const Prediction& prediction);
+/// The same into a folder that the caller makes appear.
+void fillPredictionFolder(const std::filesystem::path& folder, const Prediction& prediction);
 
 }  // namespace hydrabench

@@ -15,6 +15,7 @@
 #include "eval/app/app.h"
 #include "eval/app/evaluation_setup.h"
 #include "eval/app/progress.h"
+#include "eval/app/remarks.h"
 #include "eval/report/comparison_table.h"
 #include "eval/report/result_folder.h"
 
@@ -40,21 +41,6 @@ void warnOfOtherNames(const Prediction& prediction, const LabelSpace& label_spac
   }
 }
 
-void printRemarks(const MethodEvaluation& method) {
-  if (method.unscored_estimates > 0) {
-    fmt::print(stderr,
-               "{}: {} objects were left out: their class is not scored, or they stand for ground "
-               "truth that does not count\n",
-               method.method, method.unscored_estimates);
-  }
-  if (method.estimates_without_mesh > 0) {
-    fmt::print(stderr,
-               "{}: {} of {} objects have no mesh: they are found by their box, and have no shape "
-               "to score\n",
-               method.method, method.estimates_without_mesh, method.estimates.size());
-  }
-}
-
 int evaluate(const Options& options) {
   AtomicFolder folder(options.out, options.replace ? kResultMarker : "");
   std::vector<Prediction> predictions;
@@ -75,21 +61,22 @@ int evaluate(const Options& options) {
   }
 
   Result result;
-  result.dataset = dataset.name();
-  result.seed = std::to_string(dataset.seed());
-  result.label_space = dataset.labelSpace();
   result.config = setup.resolved_config;
   result.provenance = currentProvenance(commandLine());
-  const Evaluator evaluator(result.dataset, result.seed, dataset.labelSpace(),
+  const Evaluator evaluator(dataset.name(), std::to_string(dataset.seed()), dataset.labelSpace(),
                             dataset.groundTruth(), setup.evaluation);
   Progress progress("evaluate", predictions.size());
   for (const Prediction& prediction : predictions) {
     warnOfOtherNames(prediction, dataset.labelSpace());
-    result.methods.push_back(evaluator.evaluate(prediction));
+    result.evaluations.push_back(evaluator.evaluate(prediction));
+    for (const std::string& note : prediction.notes) {
+      result.notes.push_back(methodLabel(prediction.method) + ": " + note);
+    }
     progress.advance();
   }
-  for (const MethodEvaluation& method : result.methods) printRemarks(method);
-  fmt::print("{}", renderTerminal(comparisonTable(allScores(result)), isatty(STDOUT_FILENO) == 1));
+  for (const MethodEvaluation& method : result.evaluations) printRemarks(method);
+  fmt::print("{}", renderTerminal(comparisonTable(allScores(result), kAllMicro, result.notes),
+                                  isatty(STDOUT_FILENO) == 1));
   writeResult(folder, result);
   fmt::print("wrote {}\n", options.out.string());
   return kDone;

@@ -11,6 +11,7 @@
 #include "core/types/error.h"
 #include "eval/app/app.h"
 #include "eval/report/comparison_table.h"
+#include "eval/report/result_folder.h"
 
 namespace hydrabench {
 namespace {
@@ -32,7 +33,8 @@ std::string render(const ComparisonTable& table, const std::string& format, bool
 
 int report(const Options& options) {
   const std::vector<ScoreRow> rows = readScoresCsv(options.result / "scores.csv");
-  const ComparisonTable table = comparisonTable(rows, options.class_name);
+  const ComparisonTable table =
+      comparisonTable(rows, options.class_name, readNotes(options.result));
   if (table.blocks.empty()) {
     throw InputError(fmt::format(
         "{}: no scores of class '{}'; --class takes a class of that file, {} or {}",

@@ -47,10 +47,10 @@ int selftest(const Options& options) {
                   });
   const bool passed = report.passed();
   if (folder) {
-    Result result{dataset.name(),        seed,
-                  dataset.labelSpace(),  {},
-                  setup.resolved_config, currentProvenance(commandLine())};
-    result.methods.push_back(std::move(report.ground_truth));
+    Result result;
+    result.evaluations.push_back(std::move(report.ground_truth));
+    result.config = setup.resolved_config;
+    result.provenance = currentProvenance(commandLine());
     writeResult(*folder, result);
     fmt::print("wrote {}\n", options.out.string());
   }

@@ -77,12 +77,12 @@ std::filesystem::path readDataRoot(ConfigReader& reader) {
   std::string from;
   if (root.empty()) {
     const char* variable = std::getenv("HYDRABENCH_DATA");
-    from = " (from the environment variable HYDRABENCH_DATA)";
+    from = " (from --data or the environment variable HYDRABENCH_DATA)";
     if (variable) root = variable;
   }
   if (root.empty()) {
     reader.fault("root",
-                 "no folder of data sets: give the key root, or set the environment variable "
+                 "no folder of data sets: give --data, the key root, or the environment variable "
                  "HYDRABENCH_DATA");
   } else if (!std::filesystem::is_directory(root)) {
     reader.fault("root", fmt::format("no such folder: {}{}", root.string(), from));

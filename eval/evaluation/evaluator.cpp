@@ -11,34 +11,31 @@
 
 #include "core/parallel/parallel_for.h"
 #include "core/types/error.h"
-#include "eval/evaluation/score_rows.h"
-#include "metrics/matching.h"
+#include "eval/evaluation/method_scores.h"
 
 namespace hydrabench {
 namespace {
 
-std::vector<DetectionObject> detections(const std::vector<ScoredObject>& objects) {
-  std::vector<DetectionObject> result;
-  result.reserve(objects.size());
-  for (const ScoredObject& object : objects) result.push_back(object.detection);
-  return result;
-}
-
 /// Centre and size are those of the box of the mesh; an object without a mesh is known by its box
 /// alone.
-ScoredObject scoredObject(ObjectId id, Label label, const std::string& name, const Aabb& box,
-                          std::shared_ptr<const ObjectModel> model) {
+ScoredObject scoredObject(ObjectId id, const LabelSpace::Entry& entry, const std::string& name,
+                          const Aabb& box, const ObjectModel& model) {
   ScoredObject object;
-  object.detection = {id, label, box.center(), halfDiagonal(box)};
+  object.detection = {id, entry.label, box.center(), halfDiagonal(box)};
+  object.class_name = entry.name;
   object.name = name;
   object.box = box;
-  object.model = std::move(model);
+  object.faces = model.mesh().faces.size();
+  object.has_surface = model.hasSurface();
+  object.watertight = model.watertight();
+  object.signed_volume_m3 = signedVolume(model.mesh());
   return object;
 }
 
-PairScores scoresOf(const ScoredObject& estimate, const ScoredObject& truth) {
-  PairScores scores = scorePair(*estimate.model, *truth.model);
-  if (!estimate.model->hasSurface()) {
+PairScores scoresOf(const ScoredObject& estimate, const ObjectModel& estimate_model,
+                    const ScoredObject& truth, const ObjectModel& truth_model) {
+  PairScores scores = scorePair(estimate_model, truth_model);
+  if (!estimate.has_surface) {
     scores.b_iou = boxIou(estimate.box, truth.box);
     const auto oriented = [](const Aabb& box) {
       OrientedBox result;
@@ -46,25 +43,9 @@ PairScores scoresOf(const ScoredObject& estimate, const ScoredObject& truth) {
       result.dimensions = box.sizes();
       return result;
     };
-    scores.obb_iou = orientedBoxIou(oriented(estimate.box), truth.model->orientedBox());
+    scores.obb_iou = orientedBoxIou(oriented(estimate.box), truth_model.orientedBox());
   }
   return scores;
-}
-
-/// Index of the nearest object of the same label; nullopt where there is none.
-std::optional<std::size_t> nearestOf(const DetectionObject& object,
-                                     const std::vector<DetectionObject>& candidates) {
-  std::optional<std::size_t> nearest;
-  double nearest_distance = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].label != object.label) continue;
-    const double distance = (candidates[i].center - object.center).norm();
-    if (!nearest || distance < nearest_distance) {
-      nearest = i;
-      nearest_distance = distance;
-    }
-  }
-  return nearest;
 }
 
 double medianHalfDiagonal(const std::vector<ScoredObject>& objects) {
@@ -87,35 +68,6 @@ void requireSameUnits(const std::string& method, const std::vector<ScoredObject>
   }
 }
 
-/// Rows of objects.csv at one threshold: estimates in order, then misses.
-void appendObjectRows(const DetectionMatches& matches, const Threshold& threshold,
-                      const std::map<MatchedPair, PairScores>& pair_scores,
-                      const std::vector<DetectionObject>& estimates,
-                      const std::vector<DetectionObject>& truths, std::vector<ObjectRow>& rows) {
-  const auto distance = [&](std::size_t estimate, std::size_t truth) {
-    return (estimates[estimate].center - truths[truth].center).norm();
-  };
-  for (std::size_t e = 0; e < estimates.size(); ++e) {
-    ObjectRow row{threshold, matches.matching, ObjectRow::Outcome::kUnmatched, e, {}, {}, {}};
-    row.truth = matches.truth_of_estimate[e];
-    if (row.truth) {
-      row.outcome = ObjectRow::Outcome::kMatched;
-      row.scores = pair_scores.at({e, *row.truth});
-    } else {
-      row.truth = nearestOf(estimates[e], truths);
-      if (std::binary_search(matches.duplicates.begin(), matches.duplicates.end(), e)) {
-        row.outcome = ObjectRow::Outcome::kDuplicate;
-      }
-    }
-    if (row.truth) row.center_distance_m = distance(e, *row.truth);
-    rows.push_back(std::move(row));
-  }
-  for (std::size_t g = 0; g < truths.size(); ++g) {
-    if (matches.estimate_of_truth[g]) continue;
-    rows.push_back({threshold, matches.matching, ObjectRow::Outcome::kMissed, {}, g, {}, {}});
-  }
-}
-
 }  // namespace
 
 Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpace& label_space,
@@ -125,11 +77,15 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
       label_space_(label_space),
       config_(config) {
   std::vector<const GroundTruthObject*> objects;
+  std::vector<const LabelSpace::Entry*> entries;
   for (const GroundTruthObject& object : truth.objects) {
     const LabelSpace::Entry* entry = label_space_.find(object.label);
-    if (entry && entry->is_scored) objects.push_back(&object);
+    if (!entry || !entry->is_scored) continue;
+    objects.push_back(&object);
+    entries.push_back(entry);
   }
   std::vector<ScoredObject> all(objects.size());
+  std::vector<std::shared_ptr<const ObjectModel>> models(objects.size());
   parallelFor(objects.size(), [&](std::size_t i) {
     const GroundTruthObject& object = *objects[i];
     auto model =
@@ -140,14 +96,16 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
           fmt::format("dataset '{}': ground truth '{}': mesh without a surface, expected triangles",
                       dataset_name_, object.name));
     }
-    all[i] = scoredObject(object.id, object.label, object.name, model->box(), model);
+    all[i] = scoredObject(object.id, *entries[i], object.name, model->box(), *model);
     all[i].subtype = object.subtype;
     all[i].room = object.room;
     all[i].visible_fraction = object.visible_fraction;
+    models[i] = std::move(model);
   });
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i]->scored && objects[i]->visible_fraction >= config_.min_visible_fraction) {
       truths_.push_back(std::move(all[i]));
+      truth_models_.push_back(std::move(models[i]));
     } else {
       ignored_.push_back(all[i].detection);
     }
@@ -161,86 +119,75 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
 
 MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
   MethodEvaluation evaluation;
+  evaluation.dataset = dataset_name_;
+  evaluation.seed = seed_;
   evaluation.method = prediction.method;
   evaluation.truths = truths_;
   evaluation.unscored_truths = ignored_.size();
 
   std::vector<const ObjectNode*> nodes;
+  std::vector<const LabelSpace::Entry*> entries;
   for (const ObjectNode& node : prediction.graph.objects) {
     const LabelSpace::Entry* entry = label_space_.find(node.label);
-    if (entry && entry->is_scored) nodes.push_back(&node);
+    if (!entry || !entry->is_scored) continue;
+    nodes.push_back(&node);
+    entries.push_back(entry);
   }
   std::vector<ScoredObject> all(nodes.size());
+  std::vector<std::unique_ptr<const ObjectModel>> models(nodes.size());
   parallelFor(nodes.size(), [&](std::size_t i) {
     const ObjectNode& node = *nodes[i];
-    auto model = std::make_shared<const ObjectModel>(node.mesh, ObjectModel::Role::kEstimate,
-                                                     config_.modelConfig());
-    const Aabb& box = node.mesh.empty() ? node.box : model->box();
+    models[i] = std::make_unique<const ObjectModel>(node.mesh, ObjectModel::Role::kEstimate,
+                                                    config_.modelConfig());
+    const Aabb& box = node.mesh.empty() ? node.box : models[i]->box();
     if (box.isEmpty()) {
       throw InputError(
           fmt::format("prediction '{}': object {} '{}': neither a mesh nor a bounding box",
                       prediction.method, node.id, node.name));
     }
-    all[i] = scoredObject(node.id, node.label, node.name, box, model);
+    all[i] = scoredObject(node.id, *entries[i], node.name, box, *models[i]);
   });
   // An estimate of something that does not count is neither right nor wrong.
   const std::vector<DetectionObject> truths = detections(truths_);
-  for (ScoredObject& object : all) {
-    const DetectionObject& estimate = object.detection;
-    const auto ignored = nearestOf(estimate, ignored_);
+  std::vector<const ObjectModel*> estimate_models;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const DetectionObject& estimate = all[i].detection;
+    const auto ignored = nearestOfClass(estimate, ignored_);
     bool excused = false;
     if (ignored) {
       const double distance = (ignored_[*ignored].center - estimate.center).norm();
-      const auto counted = nearestOf(estimate, truths);
+      const auto counted = nearestOfClass(estimate, truths);
       excused = distance < ignored_[*ignored].half_diagonal &&
                 (!counted || distance < (truths[*counted].center - estimate.center).norm());
     }
-    if (!excused) evaluation.estimates.push_back(std::move(object));
+    if (excused) continue;
+    evaluation.estimates.push_back(std::move(all[i]));
+    estimate_models.push_back(models[i].get());
   }
   evaluation.unscored_estimates = prediction.graph.objects.size() - evaluation.estimates.size();
   evaluation.estimates_without_mesh = static_cast<std::size_t>(
       std::count_if(evaluation.estimates.begin(), evaluation.estimates.end(),
-                    [](const ScoredObject& object) { return !object.model->hasSurface(); }));
+                    [](const ScoredObject& object) { return !object.has_surface; }));
   requireSameUnits(prediction.method, evaluation.estimates, evaluation.truths);
   const std::vector<DetectionObject> estimates = detections(evaluation.estimates);
 
-  std::vector<ThresholdMatches> matches;
+  const std::vector<ThresholdMatches> matches = matchAtThresholds(estimates, truths, config_);
   std::set<MatchedPair> wanted;
-  for (const double tau : config_.thresholds_m) {
-    for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
-      const Threshold threshold = Threshold::tau(tau);
-      matches.push_back({threshold, match(matching, estimates, truths, threshold), true});
-      for (const MatchedPair& pair : pairsToScore(matches.back().matches)) wanted.insert(pair);
-    }
+  for (const ThresholdMatches& at : matches) {
+    if (!at.with_geometry) continue;
+    for (const MatchedPair& pair : pairsToScore(at.matches)) wanted.insert(pair);
   }
-  for (const double kappa : config_.kappas) {
-    for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
-      const Threshold threshold = Threshold::kappa(kappa);
-      matches.push_back({threshold, match(matching, estimates, truths, threshold), false});
-    }
-  }
-
   const std::vector<MatchedPair> pairs(wanted.begin(), wanted.end());
   std::vector<PairScores> scores(pairs.size());
   parallelFor(pairs.size(), [&](std::size_t i) {
-    scores[i] =
-        scoresOf(evaluation.estimates[pairs[i].estimate], evaluation.truths[pairs[i].truth]);
+    const auto [estimate, truth] = pairs[i];
+    scores[i] = scoresOf(evaluation.estimates[estimate], *estimate_models[estimate], truths_[truth],
+                         *truth_models_[truth]);
   });
-  std::map<MatchedPair, PairScores> pair_scores;
-  for (std::size_t i = 0; i < pairs.size(); ++i) pair_scores.emplace(pairs[i], scores[i]);
-
-  const ScoreContext context{dataset_name_, seed_, prediction.method, label_space_, config_};
-  evaluation.scores = scoreRows(context, evaluation, matches, pair_scores);
-  evaluation.kappa_curves = kappaCurves(context, estimates, truths);
-  for (const ScoreRow& row : kappaAreaRows(context, evaluation.kappa_curves)) {
-    evaluation.scores.push_back(row);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    evaluation.pair_scores.emplace(pairs[i], scores[i]);
   }
-  for (const ThresholdMatches& at : matches) {
-    if (at.with_geometry) {
-      appendObjectRows(at.matches, at.threshold, pair_scores, estimates, truths,
-                       evaluation.objects);
-    }
-  }
+  fillScores(label_space_, config_, matches, evaluation);
   return evaluation;
 }
 

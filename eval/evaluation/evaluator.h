@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,19 +14,24 @@
 #include "eval/evaluation/evaluation_config.h"
 #include "eval/evaluation/score_row.h"
 #include "metrics/kappa_sweep.h"
+#include "metrics/matching.h"
 #include "metrics/pair_scores.h"
 
 namespace hydrabench {
 
-/// An object as it enters scoring.
+/// An object as it enters scoring, without its surface: results of many worlds stay small.
 struct ScoredObject {
   DetectionObject detection;
+  std::string class_name;
   std::string name;
   std::string subtype;
   std::string room;
   std::optional<double> visible_fraction;  ///< ground truth only
   Aabb box;                                ///< of the mesh, or what is given in place of one
-  std::shared_ptr<const ObjectModel> model;
+  std::size_t faces = 0;
+  bool has_surface = false;
+  bool watertight = false;
+  double signed_volume_m3 = 0;  ///< negative for a closed mesh that is turned inside out
 };
 
 /// What became of an estimate or of a ground-truth object at one threshold; a line of objects.csv.
@@ -47,9 +54,12 @@ struct KappaCurve {
 
 /// Everything known of one prediction on one dataset.
 struct MethodEvaluation {
+  std::string dataset;
+  std::string seed;  ///< of the dataset; "pooled" for several worlds together
   std::string method;
   std::vector<ScoredObject> estimates;
   std::vector<ScoredObject> truths;
+  std::map<MatchedPair, PairScores> pair_scores;  ///< of every pair that some mean needs
   std::vector<ScoreRow> scores;
   std::vector<ObjectRow> objects;
   std::vector<KappaCurve> kappa_curves;
@@ -78,6 +88,7 @@ class Evaluator {
   LabelSpace label_space_;
   EvaluationConfig config_;
   std::vector<ScoredObject> truths_;
+  std::vector<std::shared_ptr<const ObjectModel>> truth_models_;
   std::vector<DetectionObject> ignored_;
 };
 

@@ -12,8 +12,8 @@ namespace hydrabench {
 
 inline constexpr const char* kAllMicro = "all_micro";  ///< pooled over objects of every class
 inline constexpr const char* kAllMacro = "all_macro";  ///< mean over classes
-inline constexpr const char* kExists = "exists";
-inline constexpr const char* kOneToOne = "one_to_one";
+inline constexpr const char* kMatchingExists = "exists";
+inline constexpr const char* kMatchingOneToOne = "one_to_one";
 inline constexpr const char* kPooledSeed = "pooled";
 
 /// One number of an evaluation; a line of scores.csv. docs/metrics.md defines every metric.
@@ -24,7 +24,7 @@ struct ScoreRow {
   std::string class_name;      ///< a class, kAllMicro or kAllMacro
   std::string threshold_kind;  ///< "tau_m" or "kappa"; empty where no threshold is involved
   std::optional<double> threshold;
-  std::string matching;  ///< kExists or kOneToOne
+  std::string matching;  ///< kMatchingExists or kMatchingOneToOne
   std::string metric;
   std::optional<double> value;  ///< nullopt: undefined, written as an empty field
   std::string unit;             ///< "m", "m^2", "count"; empty for ratios

@@ -117,7 +117,7 @@ void appendGeometryRows(const ScoreContext& context, const Scope& scope, const T
     const ScoredObject& truth = evaluation.truths[g];
     if (!scope.holds(truth.detection.label)) continue;
     TruthOutcome outcome{
-        truth.detection.label, truth.detection.half_diagonal, truth.model->hasSurface(), {}};
+        truth.detection.label, truth.detection.half_diagonal, truth.has_surface, {}};
     if (const auto estimate = at.matches.estimate_of_truth[g]) {
       outcome.scores = pair_scores.at({*estimate, g});
     }

@@ -117,8 +117,7 @@ class SelfTest {
     for (std::size_t i = 0; i < evaluation.truths.size(); ++i) {
       const ScoredObject& object = evaluation.truths[i];
       diagonals.push_back(2 * object.detection.half_diagonal);
-      if (object.model->watertight() && signedVolume(object.model->mesh()) < 0)
-        inverted = object.name;
+      if (object.watertight && object.signed_volume_m3 < 0) inverted = object.name;
       for (std::size_t k = 0; k < i; ++k) {
         const ScoredObject& other = evaluation.truths[k];
         if (other.detection.label == object.detection.label &&
@@ -144,7 +143,8 @@ class SelfTest {
   void checkSamplingFloor() {
     if (config_.samples < 1000) return;  // too noisy to tell
     for (const ScoreRow& row : report_.ground_truth.scores) {
-      if (row.metric != "chamfer_sq" || row.class_name != kAllMicro || row.matching != kOneToOne)
+      if (row.metric != "chamfer_sq" || row.class_name != kAllMicro ||
+          row.matching != kMatchingOneToOne)
         continue;
       const auto floor = std::find_if(
           report_.ground_truth.scores.begin(), report_.ground_truth.scores.end(),
@@ -201,8 +201,8 @@ class SelfTest {
       doubled.graph.objects.back().id = objectNodeId(doubled.graph.objects.size());
     }
     const MethodEvaluation twice = evaluator.evaluate(doubled);
-    fault = wrongRows(twice, "precision", kExists, 1.0);
-    if (fault.empty()) fault = wrongRows(twice, "precision", kOneToOne, 0.5);
+    fault = wrongRows(twice, "precision", kMatchingExists, 1.0);
+    if (fault.empty()) fault = wrongRows(twice, "precision", kMatchingOneToOne, 0.5);
     if (fault.empty()) fault = wrongRows(twice, "recall", "", 1.0);
     add("everything twice: P stays 1 under exists and halves under one_to_one", fault);
 

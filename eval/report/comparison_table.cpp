@@ -73,26 +73,33 @@ std::string methodLabel(const std::string& method) {
   return found == kLabels.end() ? method : found->second;
 }
 
-ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::string& class_name) {
-  using BlockKey = std::tuple<double, std::string>;
-  using CellKey = std::tuple<double, std::string, std::string, std::string>;
+ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::string& class_name,
+                                const std::vector<std::string>& notes) {
+  using BlockKey = std::tuple<std::size_t, double, std::string>;
+  using CellKey = std::tuple<std::size_t, double, std::string, std::string, std::string>;
   std::vector<std::string> methods;
-  std::set<std::string> datasets;
+  std::vector<std::string> datasets;
   std::set<BlockKey> block_keys;
   std::map<CellKey, const ScoreRow*> cells;
+  const auto indexIn = [](std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) names.push_back(name);
+    return index;
+  };
   // With several seeds the pooled rows are the table; a single seed stands for itself.
-  const bool pooled = std::any_of(rows.begin(), rows.end(),
-                                  [](const ScoreRow& row) { return row.seed == kPooledSeed; });
+  std::set<std::string> pooled;
+  for (const ScoreRow& row : rows) {
+    if (row.seed == kPooledSeed) pooled.insert(row.dataset);
+  }
   for (const ScoreRow& row : rows) {
     if (row.class_name != class_name || row.threshold_kind != "tau_m" || !row.threshold) continue;
-    if (pooled && row.seed != kPooledSeed) continue;
-    if (std::find(methods.begin(), methods.end(), row.method) == methods.end()) {
-      methods.push_back(row.method);
-    }
-    datasets.insert(row.dataset);
-    block_keys.emplace(*row.threshold, row.matching);
+    if (pooled.contains(row.dataset) && row.seed != kPooledSeed) continue;
+    indexIn(methods, row.method);
+    const std::size_t dataset = indexIn(datasets, row.dataset);
+    block_keys.emplace(dataset, *row.threshold, row.matching);
     const auto [cell, fresh] =
-        cells.emplace(CellKey{*row.threshold, row.matching, row.method, row.metric}, &row);
+        cells.emplace(CellKey{dataset, *row.threshold, row.matching, row.method, row.metric}, &row);
     if (!fresh) {
       throw InputError(
           fmt::format("scores of dataset '{}', seed {} and of dataset '{}', seed {} compete for "
@@ -108,13 +115,13 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::st
     table.title += (table.title.empty() ? "" : ", ") + dataset;
   }
   if (class_name != kAllMicro) table.title += ", " + class_name;
-  for (const auto& [threshold, matching] : block_keys) {
-    TableBlock block{"tau_m", threshold, matching, {}};
+  for (const auto& [dataset, threshold, matching] : block_keys) {
+    TableBlock block{datasets[dataset], "tau_m", threshold, matching, {}};
     for (const std::string& method : methods) {
       TableRow row{method, methodLabel(method), {}};
       for (const TableColumn& column : kColumns) {
         TableCell& cell = row.cells.emplace_back();
-        const auto found = cells.find({threshold, matching, method, column.metric});
+        const auto found = cells.find({dataset, threshold, matching, method, column.metric});
         if (found == cells.end()) continue;
         cell.value = found->second->value;
         cell.ci95_low = found->second->ci95_low;
@@ -136,6 +143,7 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::st
       "inside the gate of an object that another one has taken.",
       "[low, high]: 95 % percentile bootstrap over objects.",
   };
+  table.notes.insert(table.notes.end(), notes.begin(), notes.end());
   return table;
 }
 

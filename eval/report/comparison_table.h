@@ -34,8 +34,9 @@ struct TableRow {
   std::vector<TableCell> cells;
 };
 
-/// Rows that compete: one threshold under one matching semantics.
+/// Rows that compete: one dataset, one threshold, one matching semantics.
 struct TableBlock {
+  std::string dataset;
   std::string threshold_kind;
   double threshold = 0;
   std::string matching;
@@ -45,15 +46,18 @@ struct TableBlock {
 struct ComparisonTable {
   std::string title;
   std::vector<TableColumn> columns;
-  std::vector<TableBlock> blocks;
+  std::vector<TableBlock> blocks;  ///< all blocks of a dataset stand together
   std::vector<std::string> notes;
 };
 
 /// The comparison table of the paper (Table I) for one class (kAllMicro: all objects), every metric
-/// threshold in the rows, both matching semantics, methods in order of appearance. Throws
-/// InputError where two rows claim one cell.
+/// threshold in the rows, both matching semantics, datasets and methods in order of appearance.
+/// With several seeds of a dataset the pooled rows are the table. Throws InputError where two rows
+/// claim one cell.
+/// @param notes  what is to be said of the methods, printed below
 ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows,
-                                const std::string& class_name = kAllMicro);
+                                const std::string& class_name = kAllMicro,
+                                const std::vector<std::string>& notes = {});
 
 std::string methodLabel(const std::string& method);  ///< "hydra_plus_plus" -> "Hydra++"
 

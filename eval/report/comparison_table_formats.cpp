@@ -33,8 +33,13 @@ std::string padded(const std::string& text, std::size_t width, bool left) {
   return left ? text + space : space + text;
 }
 
-std::string blockTitle(const TableBlock& block) {
-  return fmt::format("tau_d = {:g} m, {}", block.threshold, block.matching);
+bool hasSeveralDatasets(const ComparisonTable& table) {
+  return !table.blocks.empty() && table.blocks.front().dataset != table.blocks.back().dataset;
+}
+
+std::string blockTitle(const ComparisonTable& table, const TableBlock& block) {
+  return (hasSeveralDatasets(table) ? block.dataset + ", " : "") +
+         fmt::format("tau_d = {:g} m, {}", block.threshold, block.matching);
 }
 
 std::string escapedLatex(const std::string& text) {
@@ -65,7 +70,7 @@ std::string renderTerminal(const ComparisonTable& table, bool color) {
   }
   std::string text = table.title + "\n";
   for (const TableBlock& block : table.blocks) {
-    text += "\n" + padded(blockTitle(block), label_width, true) + "\n";
+    text += "\n" + padded(blockTitle(table, block), label_width, true) + "\n";
     text += padded("method", label_width, true);
     for (std::size_t c = 0; c < widths.size(); ++c) {
       text += "  " + padded(table.columns[c].title, widths[c], false);
@@ -98,7 +103,7 @@ std::string renderTerminal(const ComparisonTable& table, bool color) {
 std::string renderMarkdown(const ComparisonTable& table) {
   std::string text = "## " + table.title + "\n";
   for (const TableBlock& block : table.blocks) {
-    text += fmt::format("\n### {}\n\n| method |", blockTitle(block));
+    text += fmt::format("\n### {}\n\n| method |", blockTitle(table, block));
     for (const TableColumn& column : table.columns) text += " " + column.title + " |";
     text += "\n|---|";
     for (std::size_t c = 0; c < table.columns.size(); ++c) text += "---:|";
@@ -138,8 +143,9 @@ std::string renderLatex(const ComparisonTable& table) {
     text += fmt::format(
         "    \\midrule\n    "
         "\\multirow{{{}}}{{*}}{{\\rotatebox[origin=c]{{90}}{{\\shortstack{{$\\tau_d = "
-        "{:g}$\\,m\\\\{}}}}}}}\n",
-        block.rows.size(), block.threshold, escapedLatex(block.matching));
+        "{:g}$\\,m\\\\{}{}}}}}}}\n",
+        block.rows.size(), block.threshold, escapedLatex(block.matching),
+        hasSeveralDatasets(table) ? "\\\\" + escapedLatex(block.dataset) : "");
     for (const TableRow& row : block.rows) {
       text += "    & " + escapedLatex(row.label);
       for (std::size_t c = 0; c < row.cells.size(); ++c) {
@@ -157,7 +163,7 @@ std::string renderLatex(const ComparisonTable& table) {
 }
 
 std::string renderCsv(const ComparisonTable& table) {
-  std::vector<std::string> header = {"threshold_m", "matching", "method"};
+  std::vector<std::string> header = {"dataset", "threshold_m", "matching", "method"};
   for (const TableColumn& column : table.columns) {
     header.push_back(column.metric);
     header.push_back(column.metric + "_ci95_low");
@@ -166,7 +172,8 @@ std::string renderCsv(const ComparisonTable& table) {
   std::string text = csvLine(header);
   for (const TableBlock& block : table.blocks) {
     for (const TableRow& row : block.rows) {
-      std::vector<std::string> cells = {csvNumber(block.threshold), block.matching, row.method};
+      std::vector<std::string> cells = {block.dataset, csvNumber(block.threshold), block.matching,
+                                        row.method};
       for (const TableCell& cell : row.cells) {
         cells.push_back(csvNumber(cell.value));
         cells.push_back(csvNumber(cell.ci95_low));
@@ -187,8 +194,8 @@ std::string renderJson(const ComparisonTable& table) {
   json["notes"] = table.notes;
   json["blocks"] = nlohmann::ordered_json::array();
   for (const TableBlock& block : table.blocks) {
-    nlohmann::ordered_json block_json = {{"threshold_m", block.threshold},
-                                         {"matching", block.matching}};
+    nlohmann::ordered_json block_json = {
+        {"dataset", block.dataset}, {"threshold_m", block.threshold}, {"matching", block.matching}};
     block_json["rows"] = nlohmann::ordered_json::array();
     for (const TableRow& row : block.rows) {
       nlohmann::ordered_json row_json = {{"method", row.method}};

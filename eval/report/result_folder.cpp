@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "eval/report/result_folder.h"
 
+#include <sstream>
+
+#include <fmt/format.h>
+
 #include "eval/evaluation/csv.h"
 #include "eval/report/comparison_table.h"
 
 namespace hydrabench {
 namespace {
+
+constexpr const char* kNotesFile = "notes.txt";
 
 const char* name(ObjectRow::Outcome outcome) {
   switch (outcome) {
@@ -32,8 +38,8 @@ void appendObject(const ScoredObject* object, std::vector<std::string>& cells) {
   cells.push_back(std::to_string(object->detection.id));
   for (const double coordinate : object->detection.center) cells.push_back(csvNumber(coordinate));
   cells.push_back(csvNumber(object->detection.half_diagonal));
-  cells.push_back(std::to_string(object->model->mesh().faces.size()));
-  cells.push_back(object->model->watertight() ? "yes" : "no");
+  cells.push_back(std::to_string(object->faces));
+  cells.push_back(object->watertight ? "yes" : "no");
 }
 
 std::vector<std::string> objectColumns() {
@@ -56,9 +62,17 @@ std::vector<std::string> objectColumns() {
 
 }  // namespace
 
+std::vector<std::string> readNotes(const std::filesystem::path& folder) {
+  std::vector<std::string> notes;
+  if (!std::filesystem::exists(folder / kNotesFile)) return notes;
+  std::istringstream lines(readFile(folder / kNotesFile));
+  for (std::string line; std::getline(lines, line);) notes.push_back(line);
+  return notes;
+}
+
 std::vector<ScoreRow> allScores(const Result& result) {
   std::vector<ScoreRow> rows;
-  for (const MethodEvaluation& method : result.methods) {
+  for (const MethodEvaluation& method : result.evaluations) {
     rows.insert(rows.end(), method.scores.begin(), method.scores.end());
   }
   return rows;
@@ -66,19 +80,18 @@ std::vector<ScoreRow> allScores(const Result& result) {
 
 std::string objectsCsv(const Result& result) {
   std::string text = csvLine(objectColumns());
-  for (const MethodEvaluation& method : result.methods) {
+  for (const MethodEvaluation& method : result.evaluations) {
     for (const ObjectRow& row : method.objects) {
       const ScoredObject* estimate = row.estimate ? &method.estimates[*row.estimate] : nullptr;
       const ScoredObject* truth = row.truth ? &method.truths[*row.truth] : nullptr;
-      const Label label = (estimate ? estimate : truth)->detection.label;
-      std::vector<std::string> cells = {result.dataset,
-                                        result.seed,
+      std::vector<std::string> cells = {method.dataset,
+                                        method.seed,
                                         method.method,
                                         name(row.threshold.kind),
                                         csvNumber(row.threshold.value),
                                         name(row.matching),
                                         name(row.outcome),
-                                        result.label_space.nameOf(label),
+                                        (estimate ? estimate : truth)->class_name,
                                         csvNumber(row.center_distance_m)};
       appendObject(estimate, cells);
       appendObject(truth, cells);
@@ -101,11 +114,11 @@ std::string kappaCsv(const Result& result) {
   std::string text =
       csvLine({"dataset", "seed", "method", "class", "matching", "kappa", "estimates",
                "matched_estimates", "truths", "found_truths", "precision", "recall", "f1"});
-  for (const MethodEvaluation& method : result.methods) {
+  for (const MethodEvaluation& method : result.evaluations) {
     for (const KappaCurve& curve : method.kappa_curves) {
       for (const KappaSweep::Step& step : curve.sweep.steps) {
         const DetectionCounts& counts = step.counts;
-        text += csvLine({result.dataset, result.seed, method.method, curve.class_name,
+        text += csvLine({method.dataset, method.seed, method.method, curve.class_name,
                          name(curve.sweep.matching), csvNumber(step.kappa),
                          std::to_string(counts.estimates), std::to_string(counts.matched_estimates),
                          std::to_string(counts.truths), std::to_string(counts.found_truths),
@@ -119,15 +132,21 @@ std::string kappaCsv(const Result& result) {
 
 void writeResult(AtomicFolder& folder, const Result& result) {
   const std::filesystem::path& out = folder.temporary();
-  const std::vector<ScoreRow> scores = allScores(result);
-  const ComparisonTable table = comparisonTable(scores);
-  writeFileAtomic(out / "scores.csv", scoresCsv(scores));
-  writeFileAtomic(out / "objects.csv", objectsCsv(result));
-  writeFileAtomic(out / "kappa.csv", kappaCsv(result));
-  writeFileAtomic(out / "table.md", renderMarkdown(table));
-  writeFileAtomic(out / "table.tex", renderLatex(table));
-  writeFileAtomic(out / "table.csv", renderCsv(table));
-  writeFileAtomic(out / "table.json", renderJson(table));
+  if (!result.evaluations.empty()) {
+    const std::vector<ScoreRow> scores = allScores(result);
+    const ComparisonTable table = comparisonTable(scores, kAllMicro, result.notes);
+    writeFileAtomic(out / "scores.csv", scoresCsv(scores));
+    writeFileAtomic(out / "objects.csv", objectsCsv(result));
+    writeFileAtomic(out / "kappa.csv", kappaCsv(result));
+    writeFileAtomic(out / "table.md", renderMarkdown(table));
+    writeFileAtomic(out / "table.tex", renderLatex(table));
+    writeFileAtomic(out / "table.csv", renderCsv(table));
+    writeFileAtomic(out / "table.json", renderJson(table));
+  }
+  if (!result.timing.empty()) writeFileAtomic(out / "timing.csv", timingCsv(result.timing));
+  if (!result.notes.empty()) {
+    writeFileAtomic(out / kNotesFile, fmt::format("{}\n", fmt::join(result.notes, "\n")));
+  }
   writeFileAtomic(out / "config.yaml", result.config);
   writeFileAtomic(out / "provenance.json", provenanceJson(result.provenance));
   folder.commit();

@@ -2,34 +2,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/io/atomic_file.h"
 #include "eval/evaluation/evaluator.h"
 #include "eval/experiment/provenance.h"
+#include "eval/experiment/timing.h"
 
 namespace hydrabench {
 
-/// What evaluate writes: any number of methods on one dataset.
+/// What evaluate and run write: any number of methods on any number of worlds.
 struct Result {
-  std::string dataset;
-  std::string seed;
-  LabelSpace label_space;
-  std::vector<MethodEvaluation> methods;
-  std::string config;  ///< resolved YAML
+  std::vector<MethodEvaluation> evaluations;  ///< one per dataset, seed and method; pooled ones too
+  std::vector<TimingRow> timing;              ///< empty where nothing was mapped
+  std::vector<std::string> notes;             ///< on the methods, for the table
+  std::string config;                         ///< resolved YAML
   Provenance provenance;
 };
 
 /// A result folder can be replaced by another: it is known by this file.
 inline constexpr const char* kResultMarker = "provenance.json";
 
-/// Writes scores.csv, objects.csv, kappa.csv, table.*, config.yaml and provenance.json
-/// (docs/metrics.md) and commits the folder. Claim it before the work: what cannot be written
-/// should be known first.
+/// Writes scores.csv, objects.csv, kappa.csv, table.*, timing.csv, notes.txt, config.yaml and
+/// provenance.json (docs/metrics.md; each where there is something to write) and commits the
+/// folder. Claim it before the work: what cannot be written should be known first.
 void writeResult(AtomicFolder& folder, const Result& result);
 
 std::vector<ScoreRow> allScores(const Result& result);
+/// The notes of a result folder; empty where it has none.
+std::vector<std::string> readNotes(const std::filesystem::path& folder);
 std::string objectsCsv(const Result& result);  ///< a row per estimate and per missed ground-truth
                                                ///< object, threshold and matching
 std::string kappaCsv(const Result& result);    ///< the exact steps of the sweep

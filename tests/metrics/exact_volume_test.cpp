@@ -16,7 +16,7 @@ double exactIou(const Mesh& a, const Mesh& b) {
 }
 
 double fineVoxelIou(const Mesh& a, const Mesh& b) {
-  const VoxelGrid grid{0.004, {0.0011, 0.0023, 0.0007}};
+  const VoxelLattice grid{0.004, {0.0011, 0.0023, 0.0007}};
   return *voxelIou(*SolidVoxelizer(a).voxelize(grid), *SolidVoxelizer(b).voxelize(grid));
 }
 

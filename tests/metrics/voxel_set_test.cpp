@@ -39,11 +39,11 @@ TEST(VoxelIou, OneEmptyScoresZeroAndBothEmptyIsUndefined) {
 }
 
 TEST(JitteredGrids, BeginWithTheGridItselfAndStayWithinOnePitch) {
-  const VoxelGrid grid{0.1, {1, 2, 3}};
+  const VoxelLattice grid{0.1, {1, 2, 3}};
   const auto grids = jitteredGrids(grid, 20, 7);
   ASSERT_EQ(grids.size(), 21u);
   EXPECT_EQ(grids[0].origin, grid.origin);
-  for (const VoxelGrid& moved : grids) {
+  for (const VoxelLattice& moved : grids) {
     EXPECT_EQ(moved.pitch_m, 0.1);
     EXPECT_TRUE(((moved.origin - grid.origin).array() >= 0).all());
     EXPECT_TRUE(((moved.origin - grid.origin).array() < 0.1).all());

@@ -10,7 +10,7 @@
 namespace hydrabench {
 namespace {
 
-VoxelSet solid(const Mesh& mesh, const VoxelGrid& grid) {
+VoxelSet solid(const Mesh& mesh, const VoxelLattice& grid) {
   return *SolidVoxelizer(mesh).voxelize(grid);
 }
 
@@ -29,7 +29,7 @@ TEST(SolidVoxels, AShiftOfAMultipleOfThePitchGivesTheExactFraction) {
       // In cells, so that the expected value is one rounded division as well: (n - steps) / (n +
       // steps) = (1 - d) / (1 + d).
       const double expected = (n - steps) / (n + steps);
-      const VoxelGrid grid{pitch};
+      const VoxelLattice grid{pitch};
       EXPECT_EQ(voxelIou(solid(unitCube(), grid), solid(unitCube(d), grid)), expected) << d;
       EXPECT_NEAR(expected, (1 - d) / (1 + d), 1e-12);
     }
@@ -37,11 +37,11 @@ TEST(SolidVoxels, AShiftOfAMultipleOfThePitchGivesTheExactFraction) {
 }
 
 TEST(SolidVoxels, TheExactFractionHoldsForEveryOrigin) {
-  for (const VoxelGrid& grid : jitteredGrids({0.05}, 50, 1)) {
+  for (const VoxelLattice& grid : jitteredGrids({0.05}, 50, 1)) {
     EXPECT_EQ(voxelIou(solid(unitCube(), grid), solid(unitCube(0.3), grid)), 14.0 / 26);
   }
   // Faces through the centres of cells: half-open, each layer belongs to one cube only.
-  const VoxelGrid through_centers{0.05, {0.025, 0.025, 0.025}};
+  const VoxelLattice through_centers{0.05, {0.025, 0.025, 0.025}};
   EXPECT_EQ(solid(unitCube(), through_centers).count(), 8000u);
   EXPECT_EQ(
       intersectionCount(solid(unitCube(), through_centers), solid(unitCube(1), through_centers)),
@@ -49,7 +49,7 @@ TEST(SolidVoxels, TheExactFractionHoldsForEveryOrigin) {
 }
 
 TEST(SolidVoxels, FarFromTheOriginTheFractionStaysExact) {
-  const VoxelGrid grid{0.05};
+  const VoxelLattice grid{0.05};
   const Eigen::Vector3d far(123.45, -67.85, 12.35);
   EXPECT_EQ(voxelIou(solid(moved(unitCube(), far), grid), solid(moved(unitCube(0.3), far), grid)),
             14.0 / 26);
@@ -60,7 +60,7 @@ TEST(SolidVoxels, CountedCrossingsAgreeWithTheWindingNumberOfClosedMeshes) {
   for (int i = 0; i < 6; ++i) {
     const Eigen::Vector3d center(random.uniform(), random.uniform(), random.uniform());
     const Mesh mesh = potato(center, 0.4, 2, i);
-    for (const VoxelGrid& grid : jitteredGrids({0.06}, 2, 3)) {
+    for (const VoxelLattice& grid : jitteredGrids({0.06}, 2, 3)) {
       EXPECT_EQ(solid(mesh, grid), solidVoxelsReference(mesh, grid));
     }
   }
@@ -72,7 +72,7 @@ TEST(SolidVoxels, ColumnsThroughVerticesAndEdgesDoNotLeak) {
   octahedron.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                       {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  const VoxelGrid grid{0.1, {0.05, 0.05, 0.05}};
+  const VoxelLattice grid{0.1, {0.05, 0.05, 0.05}};
   const VoxelSet cells = solid(octahedron, grid);
   EXPECT_TRUE(cells.contains(-1, -1, -1));  // its centre is the origin
   for (const VoxelSet::Run& run : cells.runs()) {
@@ -108,7 +108,7 @@ TEST(SolidVoxels, AMeshTurnedInsideOutIsTurnedBack) {
 TEST(SolidVoxels, OfAnOpenMeshAreWhereTheWindingNumberExceedsOneHalf) {
   const Mesh open = openTopCube();
   EXPECT_FALSE(SolidVoxelizer(open).countsCrossings());
-  const VoxelGrid grid{0.1, {0.03, 0.03, 0.03}};
+  const VoxelLattice grid{0.1, {0.03, 0.03, 0.03}};
   const VoxelSet cells = solid(open, grid);
   EXPECT_EQ(cells, solidVoxelsReference(open, grid));
   // From anywhere inside, the missing lid hides less than half of all directions: it is closed by a
@@ -173,7 +173,7 @@ TEST(SurfaceVoxels, AnObliqueTriangleTouchesOnlyWhatItCrosses) {
 
 TEST(SurfaceVoxels, HoldEverySampleAndNoCellFarFromOne) {
   const Mesh mesh = potato({0.3, 0.2, 0.1}, 0.5, 2);
-  const VoxelGrid grid{0.07, {0.01, 0.02, 0.03}};
+  const VoxelLattice grid{0.07, {0.01, 0.02, 0.03}};
   const VoxelSet cells = *surfaceVoxels(mesh, grid);
   Random random(8);
   std::vector<Eigen::Vector3i> reached;

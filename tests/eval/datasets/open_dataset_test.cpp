@@ -64,7 +64,7 @@ TEST(OpenDataset, KeysOfOtherTypesAreUnknown) {
 TEST(OpenDataset, AMissingDataRootSaysBothWaysToGiveIt) {
   const ScopedVariable unset("HYDRABENCH_DATA", nullptr);
   EXPECT_EQ(faultOf("type: apc2016\n"),
-            "d.yaml: root: no folder of data sets: give the key root, or set the environment "
+            "d.yaml: root: no folder of data sets: give --data, the key root, or the environment "
             "variable HYDRABENCH_DATA");
 }
 
@@ -73,8 +73,8 @@ TEST(OpenDataset, ADataRootThatDoesNotExistIsNamed) {
             "d.yaml:2: root: no such folder: /nowhere/data");
   const ScopedVariable wrong("HYDRABENCH_DATA", "/nowhere/else");
   EXPECT_THAT(faultOf("type: apc2016\n"),
-              HasSubstr("root: no such folder: /nowhere/else (from the environment variable "
-                        "HYDRABENCH_DATA)"));
+              HasSubstr("root: no such folder: /nowhere/else (from --data or the environment "
+                        "variable HYDRABENCH_DATA)"));
 }
 
 TEST(OpenDataset, AFolderThatIsNotThereIsOneLine) {

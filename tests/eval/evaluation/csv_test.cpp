@@ -14,7 +14,7 @@ namespace hydrabench {
 namespace {
 
 ScoreRow sampleRow() {
-  return {"office", "1",       "hydra", "chair", "tau_m", 0.2, kExists,
+  return {"office", "1",       "hydra", "chair", "tau_m", 0.2, kMatchingExists,
           "recall", 1.0 / 3.0, "",      0.1,     0.5,     88};
 }
 
@@ -55,7 +55,7 @@ TEST(ScoreRows, SurviveTheFileUnchanged) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].value, 1.0 / 3.0);
   EXPECT_EQ(rows[0].n, 88u);
-  EXPECT_EQ(rows[0].matching, kExists);
+  EXPECT_EQ(rows[0].matching, kMatchingExists);
   EXPECT_EQ(rows[1].value, std::nullopt);
   EXPECT_EQ(scoresCsv(rows), readText(folder / "scores.csv"));
 }

@@ -63,8 +63,8 @@ Evaluator evaluator(const GroundTruth& truth, const EvaluationConfig& config = q
 }
 
 std::optional<double> value(const MethodEvaluation& evaluation, const std::string& metric,
-                            const std::string& class_name, const std::string& matching = kExists,
-                            double threshold = 0.2) {
+                            const std::string& class_name,
+                            const std::string& matching = kMatchingExists, double threshold = 0.2) {
   for (const ScoreRow& score : evaluation.scores) {
     if (score.metric == metric && score.class_name == class_name && score.matching == matching &&
         score.threshold == threshold) {
@@ -166,7 +166,7 @@ TEST(Evaluator, AveragesTheAreaUnderF1OverClasses) {
   const GroundTruth truth = row();
   // No bin found, every chair exactly: the areas are 1 and 0.
   const MethodEvaluation evaluation = evaluator(truth).evaluate(predicted(truth, 0, {4, 5}));
-  EXPECT_EQ(value(evaluation, "f1_kappa_auc", kAllMacro, kExists, 1.0), 0.5);
+  EXPECT_EQ(value(evaluation, "f1_kappa_auc", kAllMacro, kMatchingExists, 1.0), 0.5);
 }
 
 TEST(Evaluator, RefusesMillimetres) {

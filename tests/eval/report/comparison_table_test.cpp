@@ -18,11 +18,11 @@ ScoreRow score(const std::string& method, double threshold, const std::string& m
 
 /// Precision at 0.2 m of the paper's Table I.
 std::vector<ScoreRow> paperPrecision() {
-  return {score("slideslam", 0.2, kExists, "precision", 7.0 / 34),
-          score("hydra", 0.2, kExists, "precision", 36.0 / 68),
-          score("khronos", 0.2, kExists, "precision", 25.0 / 69),
-          score("hydra_plus_plus_no_rmcc", 0.2, kExists, "precision", 75.0 / 112),
-          score("hydra_plus_plus", 0.2, kExists, "precision", 70.0 / 89)};
+  return {score("slideslam", 0.2, kMatchingExists, "precision", 7.0 / 34),
+          score("hydra", 0.2, kMatchingExists, "precision", 36.0 / 68),
+          score("khronos", 0.2, kMatchingExists, "precision", 25.0 / 69),
+          score("hydra_plus_plus_no_rmcc", 0.2, kMatchingExists, "precision", 75.0 / 112),
+          score("hydra_plus_plus", 0.2, kMatchingExists, "precision", 70.0 / 89)};
 }
 
 TEST(ComparisonTable, RanksTheBestThreeAsThePaperShadesThem) {
@@ -34,48 +34,49 @@ TEST(ComparisonTable, RanksTheBestThreeAsThePaperShadesThem) {
 }
 
 TEST(ComparisonTable, RanksSmallerDistancesHigher) {
-  const ComparisonTable table = comparisonTable({score("a", 0.2, kExists, "chamfer_sq", 0.004),
-                                                 score("b", 0.2, kExists, "chamfer_sq", 0.008)});
+  const ComparisonTable table =
+      comparisonTable({score("a", 0.2, kMatchingExists, "chamfer_sq", 0.004),
+                       score("b", 0.2, kMatchingExists, "chamfer_sq", 0.008)});
   EXPECT_EQ(table.blocks[0].rows[0].cells[3].rank, 1);
   EXPECT_EQ(table.blocks[0].rows[1].cells[3].rank, 2);
 }
 
 TEST(ComparisonTable, MarksCellsThatPrintTheSameTheSame) {
-  const ComparisonTable table = comparisonTable({score("a", 0.2, kExists, "f1", 0.70001),
-                                                 score("b", 0.2, kExists, "f1", 0.70002),
-                                                 score("c", 0.2, kExists, "f1", 0.5)});
+  const ComparisonTable table = comparisonTable({score("a", 0.2, kMatchingExists, "f1", 0.70001),
+                                                 score("b", 0.2, kMatchingExists, "f1", 0.70002),
+                                                 score("c", 0.2, kMatchingExists, "f1", 0.5)});
   EXPECT_EQ(table.blocks[0].rows[0].cells[2].rank, 1);
   EXPECT_EQ(table.blocks[0].rows[1].cells[2].rank, 1);
   EXPECT_EQ(table.blocks[0].rows[2].cells[2].rank, 2);
 }
 
 TEST(ComparisonTable, KeepsThresholdsAndMatchingsApart) {
-  const ComparisonTable table =
-      comparisonTable({score("a", 0.5, kOneToOne, "f1", 0.1), score("a", 0.2, kExists, "f1", 0.2),
-                       score("a", 0.5, kExists, "f1", 0.3)});
+  const ComparisonTable table = comparisonTable({score("a", 0.5, kMatchingOneToOne, "f1", 0.1),
+                                                 score("a", 0.2, kMatchingExists, "f1", 0.2),
+                                                 score("a", 0.5, kMatchingExists, "f1", 0.3)});
   ASSERT_EQ(table.blocks.size(), 3u);
   EXPECT_EQ(table.blocks[0].threshold, 0.2);
-  EXPECT_EQ(table.blocks[1].matching, kExists);
-  EXPECT_EQ(table.blocks[2].matching, kOneToOne);
+  EXPECT_EQ(table.blocks[1].matching, kMatchingExists);
+  EXPECT_EQ(table.blocks[2].matching, kMatchingOneToOne);
 }
 
 TEST(ComparisonTable, PrefersPooledSeeds) {
-  std::vector<ScoreRow> rows = {score("a", 0.2, kExists, "f1", 0.1),
-                                score("a", 0.2, kExists, "f1", 0.2)};
+  std::vector<ScoreRow> rows = {score("a", 0.2, kMatchingExists, "f1", 0.1),
+                                score("a", 0.2, kMatchingExists, "f1", 0.2)};
   rows[1].seed = kPooledSeed;
   EXPECT_EQ(comparisonTable(rows).blocks[0].rows[0].cells[2].value, 0.2);
 }
 
 TEST(ComparisonTable, RefusesTwoSeedsThatClaimOneCell) {
-  std::vector<ScoreRow> rows = {score("a", 0.2, kExists, "f1", 0.1),
-                                score("a", 0.2, kExists, "f1", 0.2)};
+  std::vector<ScoreRow> rows = {score("a", 0.2, kMatchingExists, "f1", 0.1),
+                                score("a", 0.2, kMatchingExists, "f1", 0.2)};
   rows[1].seed = "2";
   EXPECT_THROW(comparisonTable(rows), InputError);
 }
 
 TEST(ComparisonTable, PrintsUndefinedAsNotAvailableAndNeverRanksIt) {
   const ComparisonTable table =
-      comparisonTable({score("a", 0.2, kExists, "precision", std::nullopt)});
+      comparisonTable({score("a", 0.2, kMatchingExists, "precision", std::nullopt)});
   EXPECT_EQ(table.blocks[0].rows[0].cells[0].rank, 0);
   EXPECT_NE(renderMarkdown(table).find("| a | n/a |"), std::string::npos);
   EXPECT_TRUE(nlohmann::json::parse(renderJson(table))["blocks"][0]["rows"][0]["precision"]["value"]
@@ -92,9 +93,9 @@ TEST(ComparisonTable, ShadesLatexCellsInThePapersColours) {
 }
 
 TEST(ComparisonTable, EscapesMethodNamesInLatex) {
-  EXPECT_NE(
-      renderLatex(comparisonTable({score("my_own", 0.2, kExists, "f1", 0.5)})).find(R"(my\_own)"),
-      std::string::npos);
+  EXPECT_NE(renderLatex(comparisonTable({score("my_own", 0.2, kMatchingExists, "f1", 0.5)}))
+                .find(R"(my\_own)"),
+            std::string::npos);
 }
 
 TEST(ComparisonTable, AlignsTerminalColumnsDespiteArrows) {
@@ -110,7 +111,7 @@ TEST(ComparisonTable, AlignsTerminalColumnsDespiteArrows) {
 }
 
 TEST(ComparisonTable, WritesIntervalsIntoTheCsv) {
-  std::vector<ScoreRow> rows = {score("a", 0.2, kExists, "precision", 0.5)};
+  std::vector<ScoreRow> rows = {score("a", 0.2, kMatchingExists, "precision", 0.5)};
   rows[0].ci95_low = 0.25;
   rows[0].ci95_high = 0.75;
   EXPECT_NE(renderCsv(comparisonTable(rows)).find("0.2,exists,a,0.5,0.25,0.75,"),

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/evaluation/method_scores.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace hydrabench {
+namespace {
+
+/// Rows of objects.csv at one threshold: estimates in order, then misses.
+void appendObjectRows(const DetectionMatches& matches, const Threshold& threshold,
+                      const std::map<MatchedPair, PairScores>& pair_scores,
+                      const std::vector<DetectionObject>& estimates,
+                      const std::vector<DetectionObject>& truths, std::vector<ObjectRow>& rows) {
+  const auto distance = [&](std::size_t estimate, std::size_t truth) {
+    return (estimates[estimate].center - truths[truth].center).norm();
+  };
+  for (std::size_t e = 0; e < estimates.size(); ++e) {
+    ObjectRow row{threshold, matches.matching, ObjectRow::Outcome::kUnmatched, e, {}, {}, {}};
+    row.truth = matches.truth_of_estimate[e];
+    if (row.truth) {
+      row.outcome = ObjectRow::Outcome::kMatched;
+      row.scores = pair_scores.at({e, *row.truth});
+    } else {
+      row.truth = nearestOfClass(estimates[e], truths);
+      if (std::binary_search(matches.duplicates.begin(), matches.duplicates.end(), e)) {
+        row.outcome = ObjectRow::Outcome::kDuplicate;
+      }
+    }
+    if (row.truth) row.center_distance_m = distance(e, *row.truth);
+    rows.push_back(std::move(row));
+  }
+  for (std::size_t g = 0; g < truths.size(); ++g) {
+    if (matches.estimate_of_truth[g]) continue;
+    rows.push_back({threshold, matches.matching, ObjectRow::Outcome::kMissed, {}, g, {}, {}});
+  }
+}
+
+}  // namespace
+
+std::vector<DetectionObject> detections(const std::vector<ScoredObject>& objects) {
+  std::vector<DetectionObject> result;
+  result.reserve(objects.size());
+  for (const ScoredObject& object : objects) result.push_back(object.detection);
+  return result;
+}
+
+/// Index of the nearest object of the same label; nullopt where there is none.
+std::optional<std::size_t> nearestOfClass(const DetectionObject& object,
+                                          const std::vector<DetectionObject>& candidates) {
+  std::optional<std::size_t> nearest;
+  double nearest_distance = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].label != object.label || candidates[i].world != object.world) continue;
+    const double distance = (candidates[i].center - object.center).norm();
+    if (!nearest || distance < nearest_distance) {
+      nearest = i;
+      nearest_distance = distance;
+    }
+  }
+  return nearest;
+}
+
+std::vector<ThresholdMatches> matchAtThresholds(const std::vector<DetectionObject>& estimates,
+                                                const std::vector<DetectionObject>& truths,
+                                                const EvaluationConfig& config) {
+  std::vector<ThresholdMatches> matches;
+  const auto add = [&](const Threshold& threshold, bool with_geometry) {
+    for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
+      matches.push_back({threshold, match(matching, estimates, truths, threshold), with_geometry});
+    }
+  };
+  for (const double tau : config.thresholds_m) add(Threshold::tau(tau), true);
+  for (const double kappa : config.kappas) add(Threshold::kappa(kappa), false);
+  return matches;
+}
+
+void fillScores(const LabelSpace& label_space, const EvaluationConfig& config,
+                const std::vector<ThresholdMatches>& matches, MethodEvaluation& evaluation) {
+  const ScoreContext context{evaluation.dataset, evaluation.seed, evaluation.method, label_space,
+                             config};
+  const std::vector<DetectionObject> estimates = detections(evaluation.estimates);
+  const std::vector<DetectionObject> truths = detections(evaluation.truths);
+  evaluation.scores = scoreRows(context, evaluation, matches, evaluation.pair_scores);
+  evaluation.kappa_curves = kappaCurves(context, estimates, truths);
+  for (const ScoreRow& row : kappaAreaRows(context, evaluation.kappa_curves)) {
+    evaluation.scores.push_back(row);
+  }
+  for (const ThresholdMatches& at : matches) {
+    if (at.with_geometry) {
+      appendObjectRows(at.matches, at.threshold, evaluation.pair_scores, estimates, truths,
+                       evaluation.objects);
+    }
+  }
+}
+
+MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,
+                        const LabelSpace& label_space, const EvaluationConfig& config) {
+  assert(!worlds.empty());
+  MethodEvaluation all;
+  all.dataset = worlds.front()->dataset;
+  all.seed = kPooledSeed;
+  all.method = worlds.front()->method;
+  for (std::size_t w = 0; w < worlds.size(); ++w) {
+    const MethodEvaluation& world = *worlds[w];
+    assert(world.dataset == all.dataset && world.method == all.method);
+    const std::size_t first_estimate = all.estimates.size();
+    const std::size_t first_truth = all.truths.size();
+    const auto append = [&](const std::vector<ScoredObject>& from, std::vector<ScoredObject>& to) {
+      for (const ScoredObject& object : from) {
+        to.push_back(object);
+        to.back().detection.world = static_cast<std::uint32_t>(w);
+      }
+    };
+    append(world.estimates, all.estimates);
+    append(world.truths, all.truths);
+    for (const auto& [pair, scores] : world.pair_scores) {
+      all.pair_scores.emplace(MatchedPair{first_estimate + pair.estimate, first_truth + pair.truth},
+                              scores);
+    }
+    all.unscored_estimates += world.unscored_estimates;
+    all.unscored_truths += world.unscored_truths;
+    all.estimates_without_mesh += world.estimates_without_mesh;
+  }
+  fillScores(label_space, config,
+             matchAtThresholds(detections(all.estimates), detections(all.truths), config), all);
+  return all;
+}
+
+}  // namespace hydrabench
