@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@
 namespace hydrabench {
 
 /// The part of the map that still changes: TSDF blocks around the robot, with the mesh of all that
-/// was ever mapped.
+/// was ever mapped. Per frame: integrate(); then, if updateDue(), update().
 class ActiveWindow {
  public:
   struct Config {
@@ -36,12 +37,17 @@ class ActiveWindow {
   };
   explicit ActiveWindow(const Config& config);
 
+  /// Fuses a frame into the volume, then, if asked for, tracks free space in the blocks that
+  /// changed.
   void integrate(const SensorView& view);
 
   /// True if the last mesh update lies output_separation_s back (or there was none).
   bool updateDue(std::int64_t stamp_ns) const;
-  /// Takes the mesh of the blocks that changed, then archives those that left the window.
-  /// @return  the archived blocks
+  /// First takes the mesh of the blocks that changed since the last time and of their neighbours at
+  /// -x, -y, -z, whose cubes reach into them. Then archives the blocks that left the window: they
+  /// are deleted from the volume and their triangles frozen, those of this update included. So no
+  /// measurement is lost, and a block that is seen again later starts anew.
+  /// @return  the archived blocks, in order of IndexLess
   std::vector<BlockIndex> update(std::int64_t stamp_ns, const Eigen::Vector3d& sensor_position);
   /// Takes the mesh of all that is left and archives it: the end of a run.
   void finish();
@@ -50,10 +56,15 @@ class ActiveWindow {
   const MapMesh& mesh() const { return mesh_; }
 
  private:
+  void takeMesh();
+  void archive(const BlockIndex& block);
+
   Config config_;
   TsdfIntegrator integrator_;
+  FreespaceTracker freespace_;
   TsdfVolume volume_;
   MapMesh mesh_;
+  std::optional<std::int64_t> last_update_ns_;
 };
 
 void read(ConfigReader& reader, ActiveWindow::Config& config);

@@ -23,19 +23,23 @@ struct MotionDetection {
   std::vector<Cluster> clusters;
 };
 
-/// Finds what is where space was known to be empty (Khronos' FreeSpaceMotionDetector).
+/// Finds what is where space was known to be empty (Khronos' FreeSpaceMotionDetector): voxels that
+/// hold points of this frame and are ever-free are seeds; 26-connected seeds form a cluster; other
+/// voxels with points that touch a seed join it; clusters with voxels near each other are merged.
 class MotionDetector {
  public:
   struct Config {
     bool enabled = true;
     int min_pixels = 500;
     int max_pixels = 1000000;
-    double min_separation_voxels = 2;  ///< clusters closer than this are one
-    double max_range_m = 5;
+    double min_separation_voxels = 2;  ///< clusters with voxel centres closer than this are one
+    double max_range_m = 5;            ///< farther points are passed over
   };
   explicit MotionDetector(const Config& config) : config_(config) {}
 
-  /// @param volume  with free space tracked
+  /// Clusters are listed in the order of their first seed's pixel; beyond 255 none is.
+  /// @param volume  with free space tracked, before this frame is integrated
+  /// @return        `ids` always has the size of the view's image
   MotionDetection detect(const SensorView& view, const TsdfVolume& volume) const;
 
  private:

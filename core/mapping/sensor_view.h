@@ -10,13 +10,33 @@
 
 namespace hydrabench {
 
+/// Smallest and largest range in every square of kSide x kSide pixels, to decide about many voxels
+/// at once.
+struct RangeTiles {
+  static constexpr int kSide = 8;
+  struct Bounds {
+    float min = 0;  ///< 0 where a pixel of the square measured nothing
+    float max = 0;
+  };
+  Image<Bounds> bounds;
+
+  bool empty() const { return bounds.empty(); }
+  /// Over all squares that touch the pixels from (u0, v0) to (u1, v1), both inclusive.
+  Bounds over(int u0, int v0, int u1, int v1) const;
+};
+
 /// One measurement as the map sees it: ranges along rays with what is known of each. The images
 /// that are pointed to must outlive the view; a null pointer means "none".
 struct SensorView {
   std::int64_t stamp_ns = 0;
   Transform T_world_sensor = Transform::Identity();
   Camera camera;
-  Image<float> range;  ///< distance along the ray [m]; 0: nothing measured within the limits
+  /// Distance along the ray [m]; 0: nothing measured, or nearer than min_range_m. May be beyond
+  /// max_range_m: then the surface is too far to map, and what lies before it is known to be free.
+  Image<float> range;
+  /// Of `range`. Empty: the same results, more slowly. Whoever changes `range` sets tiles and
+  /// max_measured_m again, see summarizeRange().
+  RangeTiles tiles;
   double min_range_m = 0.1;
   double max_range_m = 5;
   float max_measured_m = 0;  ///< largest range in the image: behind it nothing is known
@@ -27,8 +47,12 @@ struct SensorView {
   const Image<std::uint8_t>* mask = nullptr;
 };
 
-/// Ranges from the z-depth of a frame, limited to [min, max]. Points to the frame's colours and
-/// labels, empty images excepted.
+/// Ranges from the z-depth of a frame. Points to the frame's colours and labels, empty images
+/// excepted.
+/// @param max_range_m  voxels beyond it are not updated
 SensorView sensorView(const RgbdFrame& frame, double min_range_m, double max_range_m);
+
+/// Sets view.tiles and view.max_measured_m from view.range.
+void summarizeRange(SensorView& view);
 
 }  // namespace hydrabench

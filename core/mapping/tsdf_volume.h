@@ -15,9 +15,10 @@
 namespace hydrabench {
 
 struct TsdfVoxel {
-  float distance = 0;  ///< signed, along viewing rays [m]; positive in front of the surface
-  float weight = 0;    ///< 0: never measured
-  Rgb color;
+  float distance = 0;    ///< signed, along viewing rays [m]; positive in front of the surface
+  float weight = 0;      ///< 0: never measured
+  Rgb color;             ///< black until a measurement near the surface brings one
+  bool colored = false;  ///< takes the byte that would be padding
 };
 
 /// When a voxel was seen, and seen to be full or empty (Khronos).

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "core/types/color.h"
+#include "core/types/image.h"
+
+namespace hydrabench {
+
+enum class Interpolation { kNearest, kBilinear, kAdaptive };
+
+/// The pixels that speak for a place between pixels, with weights that add up to 1.
+struct RangeSample {
+  float range = 0;  ///< [m]
+  int count = 0;    ///< 1 or 4
+  std::array<std::size_t, 4> pixels;
+  std::array<float, 4> weights;
+};
+
+/// Reads ranges between pixels. Places up to half a pixel outside the outermost centres count as on
+/// them.
+class RangeSampler {
+ public:
+  RangeSampler(const Image<float>& range, Interpolation interpolation, float max_difference)
+      : range_(range.data()),
+        width_(range.width()),
+        u_max_(range.width() - 1),
+        v_max_(range.height() - 1),
+        interpolation_(interpolation),
+        max_difference_(max_difference) {}
+
+  /// False where a pixel that would count measured nothing.
+  bool sample(float u, float v, RangeSample& sample) const {
+    if (interpolation_ == Interpolation::kNearest) return nearest(u, v, sample);
+    const float u_on = std::clamp(u, 0.0f, static_cast<float>(u_max_));
+    const float v_on = std::clamp(v, 0.0f, static_cast<float>(v_max_));
+    const int u0 = std::max(std::min(static_cast<int>(u_on), u_max_ - 1), 0);
+    const int v0 = std::max(std::min(static_cast<int>(v_on), v_max_ - 1), 0);
+    const std::size_t corner = index(u0, v0);
+    const std::size_t right = u_max_ > 0 ? 1 : 0;
+    const std::size_t below = v_max_ > 0 ? static_cast<std::size_t>(width_) : 0;
+    const float r00 = range_[corner];
+    const float r10 = range_[corner + right];
+    const float r01 = range_[corner + below];
+    const float r11 = range_[corner + right + below];
+    const float low = std::min(std::min(r00, r10), std::min(r01, r11));
+    const float high = std::max(std::max(r00, r10), std::max(r01, r11));
+    if (interpolation_ == Interpolation::kAdaptive && (low == 0.0f || high - low > max_difference_))
+      return nearest(u, v, sample);
+    if (low == 0.0f) return false;
+    const float du = u_on - static_cast<float>(u0);
+    const float dv = v_on - static_cast<float>(v0);
+    sample.count = 4;
+    sample.pixels = {corner, corner + right, corner + below, corner + right + below};
+    sample.weights = {(1 - du) * (1 - dv), du * (1 - dv), (1 - du) * dv, du * dv};
+    sample.range = sample.weights[0] * r00 + sample.weights[1] * r10 + sample.weights[2] * r01 +
+                   sample.weights[3] * r11;
+    return true;
+  }
+
+ private:
+  std::size_t index(int u, int v) const {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(u);
+  }
+  bool nearest(float u, float v, RangeSample& sample) const {
+    const int u0 = std::min(static_cast<int>(u + 0.5f), u_max_);
+    const int v0 = std::min(static_cast<int>(v + 0.5f), v_max_);
+    sample.count = 1;
+    sample.pixels[0] = index(u0, v0);
+    sample.weights[0] = 1;
+    sample.range = range_[sample.pixels[0]];
+    return sample.range > 0.0f;
+  }
+
+  const float* range_;
+  int width_;
+  int u_max_, v_max_;
+  Interpolation interpolation_;
+  float max_difference_;
+};
+
+/// The id with the highest sum of weights, the first of equals: ids are never blended.
+template <typename Id>
+Id chooseId(const Image<Id>& image, const RangeSample& sample) {
+  const Id* ids = image.data();
+  Id best = ids[sample.pixels[0]];
+  float best_weight = -1;
+  for (int i = 0; i < sample.count; ++i) {
+    const Id id = ids[sample.pixels[static_cast<std::size_t>(i)]];
+    float weight = 0;
+    for (int j = 0; j < sample.count; ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      if (ids[sample.pixels[k]] == id) weight += sample.weights[k];
+    }
+    if (weight > best_weight) {
+      best = id;
+      best_weight = weight;
+    }
+  }
+  return best;
+}
+
+/// Weighted mean of the colours: red, green, blue from 0 to 255.
+inline std::array<float, 3> blendColor(const Image<Rgb>& image, const RangeSample& sample) {
+  std::array<float, 3> sum{};
+  for (int i = 0; i < sample.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Rgb& c = image.data()[sample.pixels[k]];
+    sum[0] += sample.weights[k] * static_cast<float>(c.r);
+    sum[1] += sample.weights[k] * static_cast<float>(c.g);
+    sum[2] += sample.weights[k] * static_cast<float>(c.b);
+  }
+  return sum;
+}
+
+}  // namespace hydrabench

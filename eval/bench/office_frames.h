@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/types/frame.h"
+#include "eval/simulation/simulated_dataset.h"
+
+namespace hydrabench {
+
+/// 100 consecutive frames of the built-in office, 720 x 480, rendered before anything is measured.
+inline const std::vector<RgbdFrame>& officeFrames() {
+  static const std::vector<RgbdFrame> frames = [] {
+    const SimulatedDataset dataset(SimulatedConfig::forWorld("office"));
+    std::vector<RgbdFrame> drive;
+    for (std::size_t i = 400; i < 500; ++i) drive.push_back(dataset.frame(i));
+    return drive;
+  }();
+  return frames;
+}
+
+inline double middleOf(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace hydrabench

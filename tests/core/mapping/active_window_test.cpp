@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "core/mapping/active_window.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/geometry/mesh_topology.h"
+#include "core/parallel/parallel_for.h"
+
+namespace hydrabench {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kStart = 10 * kSecond;
+
+/// A camera at (x, 0, 0) that looks along +y at a wall `depth` away.
+RgbdFrame wall(double x, std::int64_t stamp_ns, float depth = 2) {
+  RgbdFrame frame;
+  frame.stamp_ns = stamp_ns;
+  frame.camera = {64, 48, 40, 40, 31.5, 23.5};
+  frame.T_world_camera = lookAt({x, 0, 0}, {x, 1, 0});
+  frame.depth = Image<float>(64, 48, depth);
+  frame.labels = Image<Label>(64, 48, 7);
+  return frame;
+}
+
+void integrate(ActiveWindow& window, const RgbdFrame& frame) {
+  window.integrate(sensorView(frame, 0.1, 5));
+}
+
+TEST(ActiveWindow, MeshesTheWallItSees) {
+  ActiveWindow window{{}};
+  integrate(window, wall(0, kStart));
+  EXPECT_TRUE(window.mesh().mesh().empty());
+  window.update(kStart, {0, 0, 0});
+  std::vector<Label> labels;
+  const Mesh mesh = window.mesh().mesh(&labels);
+  ASSERT_GT(mesh.faces.size(), 500u);
+  for (const Eigen::Vector3d& p : mesh.vertices) EXPECT_NEAR(p.y(), 2, 0.02);
+  EXPECT_THAT(labels, testing::Each(7));
+  EXPECT_EQ(analyzeTopology(mesh).components, 1u);
+}
+
+TEST(ActiveWindow, UpdatesAtTheGivenSeparation) {
+  ActiveWindow window{{}};  // 0.2 s
+  EXPECT_TRUE(window.updateDue(kStart));
+  window.update(kStart, {0, 0, 0});
+  EXPECT_FALSE(window.updateDue(kStart + 100'000'000));
+  EXPECT_TRUE(window.updateDue(kStart + 199'999'990));  // stamps jitter
+  EXPECT_TRUE(window.updateDue(kStart + 200'000'000));
+}
+
+TEST(ActiveWindow, ArchivesBySpaceWhatIsFarAndNotUpdatedInThisFrame) {
+  ActiveWindow window{{}};  // 8 m
+  integrate(window, wall(0, kStart));
+  EXPECT_TRUE(window.update(kStart, {0, 0, 0}).empty());
+  EXPECT_TRUE(window.update(kStart, {0, -50, 0}).empty());  // updated in this very frame
+  const std::size_t num_faces = window.mesh().mesh().faces.size();
+  const std::vector<BlockIndex> blocks = window.volume().blockIndices();
+  EXPECT_EQ(window.update(kStart + kSecond, {0, -50, 0}), blocks);
+  EXPECT_EQ(window.volume().numBlocks(), 0u);
+  EXPECT_TRUE(window.mesh().activeVertices().empty());
+  EXPECT_EQ(window.mesh().mesh().faces.size(), num_faces);
+}
+
+TEST(ActiveWindow, KeepsBySpaceWhatIsNearHoweverOld) {
+  ActiveWindow window{{}};
+  integrate(window, wall(0, kStart));
+  EXPECT_TRUE(window.update(kStart + 1000 * kSecond, {0, 0, 0}).empty());
+}
+
+TEST(ActiveWindow, ArchivesByTimeWhatWasNotObservedForTheWindow) {
+  ActiveWindow::Config config;
+  config.archive = "temporal";
+  ActiveWindow window(config);  // 3 s
+  integrate(window, wall(0, kStart));
+  integrate(window, wall(20, kStart + 2 * kSecond));
+  const std::size_t num_blocks = window.volume().numBlocks();
+  EXPECT_TRUE(window.update(kStart + 3 * kSecond, {20, 0, 0}).empty());
+  const std::vector<BlockIndex> left = window.update(kStart + 4 * kSecond, {20, 0, 0});
+  EXPECT_EQ(left.size() + window.volume().numBlocks(), num_blocks);
+  ASSERT_FALSE(left.empty());
+  for (const BlockIndex& block : left)
+    EXPECT_LT(window.volume().grid().centerOfBlock(block).x(), 10);
+  EXPECT_FALSE(window.mesh().activeVertices().empty());
+}
+
+TEST(ActiveWindow, TakesTheMeshOfWhatChangedLastBeforeItArchives) {
+  ActiveWindow window{{}};
+  integrate(window, wall(0, kStart));
+  EXPECT_FALSE(window.update(kStart + kSecond, {0, -50, 0}).empty());
+  EXPECT_GT(window.mesh().mesh().faces.size(), 500u);
+}
+
+TEST(ActiveWindow, MeshesCubesThatReachIntoAChangedBlockAnew) {
+  // The second frame shows the wall farther to the right only, but the cubes at the border belong
+  // to the block at its left. However often the mesh was taken, it is the same in the end.
+  ActiveWindow stepwise{{}};
+  ActiveWindow at_once{{}};
+  for (int i = 0; i < 12; ++i) {
+    const std::int64_t stamp = kStart + i * kSecond;
+    const RgbdFrame frame = wall(0.3 * i, stamp, 2 + 0.02f * static_cast<float>(i));
+    integrate(stepwise, frame);
+    stepwise.update(stamp, {0, 0, 0});
+    integrate(at_once, frame);
+  }
+  at_once.update(kStart, {0, 0, 0});
+  const Mesh a = welded(stepwise.mesh().mesh());
+  const Mesh b = welded(at_once.mesh().mesh());
+  EXPECT_EQ(a.vertices.size(), b.vertices.size());
+  EXPECT_EQ(a.faces.size(), b.faces.size());
+  EXPECT_DOUBLE_EQ(surfaceArea(a), surfaceArea(b));
+}
+
+TEST(ActiveWindow, FinishFreezesAllThatIsLeft) {
+  ActiveWindow window{{}};
+  integrate(window, wall(0, kStart));
+  window.finish();
+  EXPECT_EQ(window.volume().numBlocks(), 0u);
+  EXPECT_TRUE(window.mesh().activeVertices().empty());
+  EXPECT_GT(window.mesh().mesh().faces.size(), 500u);
+}
+
+TEST(ActiveWindow, TracksFreeSpaceOnlyIfAsked) {
+  for (const bool track : {false, true}) {
+    ActiveWindow::Config config;
+    config.track_freespace = track;
+    ActiveWindow window(config);
+    integrate(window, wall(0, kStart));
+    bool any = false;
+    for (const BlockIndex& block : window.volume().blockIndices()) {
+      any = any || !window.volume().find(block)->freespace.empty();
+    }
+    EXPECT_EQ(any, track);
+  }
+}
+
+TEST(ActiveWindow, GivesTheSameMeshForAnyNumberOfThreads) {
+  std::vector<Mesh> meshes;
+  for (int threads : {1, 2}) {
+    setNumThreads(threads);
+    ActiveWindow window{{}};
+    for (int i = 0; i < 5; ++i) {
+      integrate(window, wall(0.4 * i, kStart + i * kSecond));
+      window.update(kStart + i * kSecond, {0, 0, 0});
+    }
+    meshes.push_back(window.mesh().mesh());
+  }
+  setNumThreads(0);
+  EXPECT_EQ(meshes[0].vertices, meshes[1].vertices);
+  EXPECT_EQ(meshes[0].faces, meshes[1].faces);
+  EXPECT_EQ(meshes[0].colors, meshes[1].colors);
+}
+
+}  // namespace
+}  // namespace hydrabench
