@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/config/config_reader.h"
 #include "core/mapping/motion_detector.h"
@@ -13,13 +14,20 @@
 
 namespace hydrabench {
 
-/// Finds object candidates in a frame (Khronos' ConnectedSemantics and InstanceForwarding;
-/// paper, "Object Extraction").
+class PixelPoints;
+
+/// Finds object candidates in a frame (Khronos' ConnectedSemantics and InstanceForwarding; the
+/// paper's object candidates, "filtered by sensing range, pixel count, and 3D bounding-box
+/// volume").
+///
+/// Pixels without a measurement within the limits of the view never count. Khronos tests the range
+/// against its upper limit only, so pixels without depth would form a candidate at the camera.
 class CandidateExtractor {
  public:
   struct Config {
-    /// connected_semantics: pixels of one object class whose points touch on a grid of grid_size_m.
-    /// instances: the instance image as it is given.
+    /// connected_semantics: pixels of one object class whose points touch on a grid of grid_size_m
+    /// (26 neighbours). instances: the instance image as it is given; the class of an instance is
+    /// that of the frame's instance_labels, and an instance without one is no candidate.
     std::string source = "connected_semantics";
     double grid_size_m = 0.1;
     int min_pixels = 50;
@@ -32,14 +40,22 @@ class CandidateExtractor {
   /// Candidates of the classes that are objects in the label space.
   CandidateExtractor(const Config& config, const LabelSpace& label_space);
 
+  /// Candidates are numbered from 1: moving ones in the order of their clusters, then the others by
+  /// their first pixel in row order. The limits above are for the others; a motion detector has its
+  /// own.
   /// @param view    of the same frame
-  /// @param motion  moving things, which come first in the list; may be null
+  /// @param motion  moving things, whose pixels no other candidate gets; may be null
   FrameCandidates extract(const RgbdFrame& frame, const SensorView& view,
                           const MotionDetection* motion = nullptr) const;
 
  private:
+  std::vector<ObjectCandidate> labelled(const RgbdFrame& frame, const SensorView& view,
+                                        const MotionDetection* motion) const;
+  void measure(const PixelPoints& points, int width, ObjectCandidate& candidate) const;
+  bool withinVolume(const ObjectCandidate& candidate) const;
+
   Config config_;
-  LabelSpace label_space_;
+  std::vector<Label> object_labels_;  ///< ascending
 };
 
 void read(ConfigReader& reader, CandidateExtractor::Config& config);

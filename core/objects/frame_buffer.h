@@ -15,13 +15,15 @@ namespace hydrabench {
 
 /// A frame as it is kept for looking back: what reconstruction and shape estimation need of it.
 struct BufferedFrame {
-  std::int64_t stamp_ns = 0;
-  Camera camera;
-  Transform T_world_camera = Transform::Identity();
-  Image<Rgb> color;
-  Image<float> depth;        ///< z-depth [m]
+  RgbdFrame frame;           ///< without labels and instances: `ids` has what became of them
   Image<std::uint16_t> ids;  ///< of the candidates
+
+  std::int64_t stampNs() const { return frame.stamp_ns; }
 };
+
+/// Copies what is kept of a frame.
+std::shared_ptr<const BufferedFrame> bufferedFrame(const RgbdFrame& frame,
+                                                   Image<std::uint16_t> ids);
 
 /// The last frames, at most `capacity`; the oldest goes first. Frames are shared, so that whoever
 /// works on one keeps it.

@@ -17,7 +17,8 @@ namespace hydrabench {
 struct Observation {
   std::int64_t stamp_ns = 0;
   std::uint16_t candidate_id = 0;  ///< in the id image of that frame
-  Aabb box;
+  ImageRegion region;              ///< around its pixels
+  Aabb box;                        ///< world [m]
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   std::size_t pixels = 0;
 };
@@ -36,21 +37,39 @@ struct Track {
   const Aabb& lastBox() const { return observations.back().box; }
 };
 
-/// Associates candidates with tracks by the overlap with the track's last observation (Khronos'
-/// MaxIoUTracker; paper, "Object Tracking").
+/// Associates candidates with tracks by their overlap with the track's last observation (Khronos'
+/// MaxIoUTracker; paper, "A max-IoU tracker then associates clusters across frames").
+///
+/// Greedy, in the order of the tracks' ids:
+///  1. a moving track takes the nearest moving candidate within max_dynamic_distance_m; moving
+///     candidates that are left begin tracks;
+///  2. a moving track takes the candidate of a class that overlaps it most, above min_cross_iou. It
+///     becomes the track's observation, unless step 1 gave one, and in any case its class that of a
+///     track without one, and no track of its own;
+///  3. a track of a class takes the candidate of that class that overlaps it most, above
+///     min_same_label_iou; candidates that are left begin tracks.
+///
+/// "Cross" is read as Khronos' code has it: a moving thing against a candidate of a class. The
+/// paper's table calls the pair "same-label / cross-label", with Khronos' values indoors; read as
+/// "a candidate of another class may continue a track" it would let one misclassified frame change
+/// what an object is, and 0.1 below 0.25 would make that the easier way. Here a candidate of
+/// another class never continues a track of a class.
 class MaxIouTracker {
  public:
   struct Config {
-    std::string track_by = "voxels";   ///< voxels, pixels or boxes
+    /// What the overlap is counted in. voxels: of the candidates' grid. pixels: the points of the
+    /// last observation, projected into the current image. boxes: volumes.
+    std::string track_by = "voxels";
     double min_same_label_iou = 0.25;  ///< strictly above
-    double min_cross_iou = 0.1;        ///< between a moving track and a candidate of a class
+    double min_cross_iou = 0.1;        ///< strictly above
     double max_dynamic_distance_m = 1;
-    double temporal_window_s = 3;  ///< a track ends when it was not seen for this long
+    double temporal_window_s = 3;  ///< a track ends when it was not seen for longer than this
     int min_observations = 15;     ///< confidence reaches 0.5 here
   };
   explicit MaxIouTracker(const Config& config) : config_(config) {}
 
   /// Frames in order of their stamps.
+  /// @param view  of the frame the candidates are from
   void update(const SensorView& view, const FrameCandidates& candidates);
   /// Takes out the tracks that have ended by now, in order of their ids.
   std::vector<Track> takeEnded(std::int64_t stamp_ns);
@@ -58,6 +77,8 @@ class MaxIouTracker {
   std::vector<Track> takeAll();
 
   const std::vector<Track>& tracks() const { return tracks_; }
+  /// Stamps of all observations of the tracks there are, ascending, each once.
+  std::vector<std::int64_t> observedStamps() const;
   /// min(observations / (2 min_observations), 1)
   double confidence(const Track& track) const;
 
@@ -66,6 +87,10 @@ class MaxIouTracker {
   std::vector<Track> tracks_;  ///< ascending ids
   std::uint64_t next_id_ = 0;
 };
+
+/// Intersection over union of two sets of voxels, each sorted by IndexLess and unique; 0 if both
+/// are empty.
+double voxelSetIou(const std::vector<GlobalVoxel>& a, const std::vector<GlobalVoxel>& b);
 
 void read(ConfigReader& reader, MaxIouTracker::Config& config);
 
