@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "baselines/hydra/hydra.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/parallel/parallel_for.h"
+
+namespace hydrabench {
+namespace {
+
+std::vector<Label> objectLabels(const LabelSpace& label_space) {
+  std::vector<Label> labels;
+  for (const LabelSpace::Entry& entry : label_space.entries) {
+    if (entry.is_object) labels.push_back(entry.label);
+  }
+  return labels;
+}
+
+/// 1 where a pixel shows one of the classes.
+Image<std::uint8_t> maskOf(const Image<Label>& image, const std::vector<Label>& labels) {
+  Image<std::uint8_t> mask(image.width(), image.height());
+  std::transform(image.begin(), image.end(), mask.begin(), [&](Label label) {
+    return std::find(labels.begin(), labels.end(), label) != labels.end() ? 1 : 0;
+  });
+  return mask;
+}
+
+}  // namespace
+
+Hydra::Hydra(const Config& config, const LabelSpace& label_space)
+    : config_(config),
+      label_space_(label_space),
+      window_(config.window),
+      objects_(config.objects, objectLabels(label_space)) {
+  for (const std::string& name : config.dynamic_classes) {
+    if (const LabelSpace::Entry* entry = label_space.find(name)) {
+      dynamic_labels_.push_back(entry->label);
+    }
+  }
+}
+
+void Hydra::process(const RgbdFrame& frame) {
+  const StageTimes::Scope whole(times_, "frame");
+  last_stamp_ns_ = frame.stamp_ns;
+  last_position_ = frame.T_world_camera.translation();
+  {
+    const StageTimes::Scope stage(times_, "integrate");
+    SensorView view = sensorView(frame, config_.min_range_m, config_.max_range_m);
+    Image<std::uint8_t> mask;
+    if (!dynamic_labels_.empty() && view.labels) {
+      mask = maskOf(*view.labels, dynamic_labels_);
+      view.mask = &mask;
+    }
+    window_.integrate(view);
+  }
+  if (window_.updateDue(frame.stamp_ns)) update();
+}
+
+void Hydra::update() {
+  {
+    const StageTimes::Scope stage(times_, "mesh");
+    window_.update(last_stamp_ns_, last_position_);
+  }
+  const StageTimes::Scope stage(times_, "objects");
+  objects_.update(window_.mesh(), last_stamp_ns_);
+}
+
+SceneGraph Hydra::finish() {
+  update();
+  const StageTimes::Scope stage(times_, "finish");
+  window_.finish();
+  objects_.refresh(window_.mesh());
+
+  SceneGraph graph;
+  graph.label_space = label_space_;
+  graph.objects.resize(objects_.nodes().size());
+  parallelFor(graph.objects.size(),
+              [&](std::size_t i) { graph.objects[i] = objectNode(objects_.nodes()[i]); });
+  graph.scene_mesh = window_.mesh().mesh(&graph.scene_labels);
+  return graph;
+}
+
+ObjectNode Hydra::objectNode(const MeshObjects::Node& node) const {
+  ObjectNode object;
+  object.id = node.number;
+  object.label = node.label;
+  object.name = label_space_.nameOf(node.label) + "_" + std::to_string(node.number);
+  object.mesh = window_.mesh().submesh(node.vertices);
+  object.box = object.mesh.empty() ? node.box : bounds(object.mesh);
+  object.T_world_object.translation() = node.position;
+  object.first_observed_ns = node.first_observed_ns;
+  object.last_observed_ns = node.last_observed_ns;
+  return object;
+}
+
+void read(ConfigReader& reader, Hydra::Config& config) {
+  reader.field("min_range_m", config.min_range_m, Bounds{0.0, 1e3});
+  reader.field("max_range_m", config.max_range_m, Bounds{0.0, 1e3});
+  if (config.max_range_m <= config.min_range_m) {
+    reader.fault("max_range_m", "is not above min_range_m");
+  }
+  reader.field("dynamic_classes", config.dynamic_classes);
+  auto window = reader.section("window");
+  read(window, config.window);
+  auto objects = reader.section("objects");
+  read(objects, config.objects);
+}
+
+}  // namespace hydrabench

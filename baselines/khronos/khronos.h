@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "baselines/khronos/reobserved_objects.h"
+#include "core/config/config_reader.h"
+#include "core/mapping/active_window.h"
+#include "core/mapping/motion_detector.h"
+#include "core/objects/candidate_extractor.h"
+#include "core/objects/frame_buffer.h"
+#include "core/objects/max_iou_tracker.h"
+#include "core/objects/object_reconstruction.h"
+#include "core/pipeline/mapping_system.h"
+
+namespace hydrabench {
+
+/// Khronos (Schmid et al., "Khronos: A Unified Approach for Spatio-Temporal Metric-Semantic SLAM in
+/// Dynamic Environments", RSS 2024), built anew from the paper, the public code and its configs as
+/// of late 2025, for what a scene graph of static objects shows. Every frame: moving things are
+/// found where space was free; candidates of object classes are found and tracked by overlap; the
+/// rest goes into a TSDF whose blocks leave the map when they were not seen for 3 s. A track that
+/// was not seen for 3 s ends; one that was seen often enough is reconstructed on its own from the
+/// frames it was seen in. Objects seen again later are merged with what is there.
+///
+/// Where this departs from Khronos:
+///  - Objects are extracted when their tracks end, in the same call. Khronos gives them to two
+///    workers; here nothing depends on timing.
+///  - Moving objects: their pixels stay out of the static map and of static objects. Khronos adds
+///    their trajectories to the graph; a SceneGraph here has no place for them, and the table
+///    scores static objects.
+///  - Poses are taken as given and fixed: no pose graph, no deformation of the map, no loop
+///    closures, as in Khronos' uHumans2 config with its fixed input poses.
+///  - No change detection: nothing is ever taken out of the graph because it is gone.
+///  - Merging is done when an object is added, with the best match, until nothing matches. Khronos
+///    proposes merges from time to time and unites meshes in its reconciler; the rule is the same.
+///  - Places, rooms and agents are left out.
+///  - Pixels without depth never belong to a candidate (Khronos tests against the upper limit of
+///    the range only), and moving pixels are not given to candidates of a class a second time.
+///  - Object surface: blocks that cannot hold a measurement of the object are not integrated. The
+///    meshes are the same as without that.
+///  - A voxel needs no minimal number of measurements to be the object's: 0 in both configs.
+class Khronos : public MappingSystem {
+ public:
+  /// As on uHumans2.
+  struct Config {
+    Config();
+    double min_range_m = 0.1;  ///< of the sensor
+    double max_range_m = 5;
+    /// Names of classes that move: kept out of the static map whether they move or not.
+    std::vector<std::string> dynamic_classes = {"human"};
+    ActiveWindow::Config window;
+    MotionDetector::Config motion;
+    CandidateExtractor::Config candidates;
+    MaxIouTracker::Config tracker;
+    int buffer_frames = 300;            ///< at most; of those only what a track refers to
+    double min_track_confidence = 0.5;  ///< strictly above, or the track is no object
+    ObjectReconstruction::Config reconstruction;
+    double min_merge_iou = 1e-5;  ///< of the boxes of objects that become one
+  };
+  Khronos(const Config& config, const LabelSpace& label_space);
+
+  void process(const RgbdFrame& frame) override;
+  SceneGraph finish() override;
+  const StageTimes& stageTimes() const override { return times_; }
+  std::vector<std::string> notes() const override;
+
+  const ActiveWindow& window() const { return window_; }
+
+ private:
+  void detectMotion(const SensorView& view);
+  Image<std::uint8_t> staticMapMask(const RgbdFrame& frame) const;
+  void bufferFrame(const RgbdFrame& frame, FrameCandidates&& candidates);
+  void extractObjects(const std::vector<Track>& ended);
+
+  Config config_;
+  LabelSpace label_space_;
+  std::vector<Label> dynamic_labels_;
+  ActiveWindow window_;
+  MotionDetector motion_detector_;
+  CandidateExtractor extractor_;
+  MaxIouTracker tracker_;
+  FrameBuffer buffer_;
+  ObjectReconstruction reconstruction_;
+  ReobservedObjects objects_;
+  MotionDetection motion_;  ///< of the last frame
+  ObjectId next_object_id_ = 1;
+  std::size_t num_moving_tracks_ = 0;
+  StageTimes times_;
+};
+
+void read(ConfigReader& reader, Khronos::Config& config);
+
+}  // namespace hydrabench

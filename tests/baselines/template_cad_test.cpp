@@ -1,0 +1,475 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "baselines/template_cad/template_cad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "baselines/template_cad/footprint.h"
+#include "core/geometry/mesh_io.h"
+#include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
+#include "tests/baselines/miniature_world.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hydrabench {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+namespace id = miniature_label;
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+// ---------------------------------------------------------------- one instance of one frame
+
+/// A frame of one row, in which pixel i of instance 1 is at depth (i + 1) cm and 1 m above the
+/// other, seen by a camera that looks along the world's x axis.
+RgbdFrame rowOfDepths(int count) {
+  RgbdFrame frame;
+  frame.camera = {count, 1, 100, 100, 0, 0};
+  frame.T_world_camera = lookAt(Vector3d(0, 0, 1), Vector3d(1, 0, 1));
+  frame.depth = Image<float>(count, 1);
+  for (int u = 0; u < count; ++u) frame.depth(u, 0) = 0.01f * static_cast<float>(u + 1);
+  return frame;
+}
+
+FrameCandidates oneCandidate(int count) {
+  FrameCandidates candidates;
+  ObjectCandidate& candidate = candidates.candidates.emplace_back();
+  candidate.label = id::kChair;
+  for (int u = 0; u < count; ++u) candidate.pixels.push_back(static_cast<std::uint32_t>(u));
+  return candidates;
+}
+
+TEST(InstanceMeasurement, TakesThePointsBetweenThePercentilesOfDepth) {
+  // 101 depths from 1 to 101 cm: the 35th and the 45th percentile are 36 and 46 cm.
+  const auto measured = measureInstances(rowOfDepths(101), oneCandidate(101), {35, 45, 0.0});
+  ASSERT_EQ(measured.size(), 1u);
+  EXPECT_EQ(measured[0].label, id::kChair);
+  ASSERT_EQ(measured[0].points.size(), 11u);
+  EXPECT_NEAR(measured[0].points.front().x(), 0.36, 1e-6);
+  EXPECT_NEAR(measured[0].points.back().x(), 0.46, 1e-6);
+  // Medians by coordinate: the sixth of eleven, pixel 40 at 41 cm, which is 0.40 * 0.41 m to the
+  // right (-y).
+  EXPECT_NEAR(measured[0].center.x(), 0.41, 1e-6);
+  EXPECT_NEAR(measured[0].center.y(), -0.164, 1e-6);
+}
+
+TEST(InstanceMeasurement, AnInstanceSmallerThanTheLeastExtentIsNone) {
+  // y runs from -0.35 * 0.36 to -0.45 * 0.46 m: 0.081 m; x over 0.10 m.
+  EXPECT_EQ(measureInstances(rowOfDepths(101), oneCandidate(101), {35, 45, 0.099}).size(), 1u);
+  EXPECT_EQ(measureInstances(rowOfDepths(101), oneCandidate(101), {35, 45, 0.101}).size(), 0u);
+}
+
+// ---------------------------------------------------------------- tracks
+
+InstanceMeasurement at(double x, double y, Label label = id::kChair) {
+  return {label, {x, y}, {Vector3d(x, y, 0.5)}};
+}
+const std::map<Label, double> kGates = {{id::kChair, 0.75}, {id::kBin, 1.0}};
+
+TEST(InstanceTracker, TheCenterIsAMovingAverage) {
+  InstanceTracker tracker({}, kGates);
+  tracker.update(kSecond, {at(0, 0)});
+  tracker.update(2 * kSecond, {at(0.5, 0)});  // 0.1 * 0.5 = 0.05
+  tracker.update(3 * kSecond, {at(0.5, 0)});  // 0.05 + 0.1 * 0.45 = 0.095
+  const auto tracks = tracker.takeAll();
+  ASSERT_EQ(tracks.size(), 1u);
+  EXPECT_NEAR(tracks[0].center.x(), 0.095, 1e-12);
+  EXPECT_THAT(tracks[0].stamps_ns, ElementsAre(kSecond, 2 * kSecond, 3 * kSecond));
+}
+
+TEST(InstanceTracker, TwoInOneFrameStayTwoHoweverNear) {
+  InstanceTracker tracker({}, kGates);
+  for (int i = 0; i < 5; ++i) tracker.update(i * kSecond, {at(0, 0), at(0.3, 0)});
+  const auto tracks = tracker.takeAll();
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_NEAR(tracks[0].center.x(), 0.0, 1e-12);
+  EXPECT_NEAR(tracks[1].center.x(), 0.3, 1e-12);
+}
+
+TEST(InstanceTracker, TheCheapestPairsWinNotTheNearestFirst) {
+  // From tracks at 0 and 0.5, measurements at 0.4 and 1.1. The nearest pair (0.4 to 0.5) would
+  // leave 1.1 beyond the gate of track 0: 0.1 + 0.75 for the two left over. Straight: 0.4 + 0.6
+  // = 1.0. With 0.9 in place of 1.1: 0.4 + 0.4 = 0.8 is cheaper than 0.85.
+  const auto centers = [&](double second) {
+    InstanceTracker tracker({.centroid_update = 1}, kGates);
+    tracker.update(kSecond, {at(0, 0), at(0.5, 0)});
+    tracker.update(2 * kSecond, {at(0.4, 0), at(second, 0)});
+    std::vector<double> x;
+    for (const InstanceTrack& track : tracker.takeAll()) x.push_back(track.center.x());
+    return x;
+  };
+  EXPECT_THAT(centers(0.9), ElementsAre(0.4, 0.9));
+  EXPECT_THAT(centers(1.1), ElementsAre(0.0, 0.4, 1.1));
+}
+
+TEST(InstanceTracker, BeyondTheGateANewTrackBegins) {
+  InstanceTracker near({}, kGates);
+  near.update(kSecond, {at(0, 0)});
+  near.update(2 * kSecond, {at(0.74, 0)});
+  EXPECT_EQ(near.takeAll().size(), 1u);
+  InstanceTracker far({}, kGates);
+  far.update(kSecond, {at(0, 0)});
+  far.update(2 * kSecond, {at(0.76, 0)});
+  EXPECT_EQ(far.takeAll().size(), 2u);
+}
+
+TEST(InstanceTracker, ClassesAreAssignedApart) {
+  InstanceTracker tracker({}, kGates);
+  tracker.update(kSecond, {at(0, 0)});
+  tracker.update(2 * kSecond, {at(0, 0, id::kBin), at(0, 0, id::kCouch)});
+  const auto tracks = tracker.takeAll();
+  ASSERT_EQ(tracks.size(), 2u) << "a class without a gate is passed over";
+  EXPECT_EQ(tracks[1].label, id::kBin);
+}
+
+TEST(InstanceTracker, ATrackEndsWhenItWasNotSeenForHalfAMinute) {
+  InstanceTracker tracker({}, kGates);
+  tracker.update(kSecond, {at(0, 0)});
+  EXPECT_TRUE(tracker.update(31 * kSecond, {}).empty());
+  EXPECT_EQ(tracker.update(31 * kSecond + 1, {}).size(), 1u);
+  EXPECT_TRUE(tracker.takeAll().empty());
+}
+
+TEST(ThinnedPoints, KeepsEverySecondPointOfTheWholeStream) {
+  ThinnedPoints thinned(4);
+  for (int i = 0; i < 11; ++i) {
+    const Vector3d point(i, 0, 0);
+    thinned.add({&point, 1});
+  }
+  // 0 1 2 3 | 4 is one too many: 0 2 4, then 6, then 8 is one too many: 0 4 8.
+  std::vector<double> x;
+  for (const Vector3d& point : thinned.points()) x.push_back(point.x());
+  EXPECT_THAT(x, ElementsAre(0, 4, 8));
+}
+
+// ---------------------------------------------------------------- landmarks
+
+InstanceTrack track(double x, std::vector<std::int64_t> seconds, Label label = id::kChair) {
+  InstanceTrack result;
+  result.label = label;
+  result.center = {x, 0};
+  for (std::int64_t& stamp : seconds) stamp *= kSecond;
+  result.stamps_ns = std::move(seconds);
+  return result;
+}
+
+TEST(LandmarkMap, ATrackOfOneFrameIsNoObject) {
+  LandmarkMap map({});
+  map.add(track(0, {1}));
+  EXPECT_TRUE(map.landmarks().empty());
+  map.add(track(0, {1, 2}));
+  EXPECT_EQ(map.landmarks().size(), 1u);
+}
+
+TEST(LandmarkMap, WhatIsSeenAgainJoinsTheNearestOfItsClass) {
+  LandmarkMap map({});
+  map.add(track(0, {1, 2, 3}));
+  map.add(track(0.1, {1, 2, 3}, id::kBin));
+  map.add(track(0.4, {50, 51, 52, 53, 54, 55}));
+  ASSERT_EQ(map.landmarks().size(), 2u);
+  EXPECT_NEAR(map.landmarks()[0].center.x(), 0.4 * 6 / 9, 1e-12) << "3 frames at 0, 6 at 0.4";
+  EXPECT_EQ(map.landmarks()[0].stamps_ns.size(), 9u);
+  map.add(track(1.02, {90, 91}));
+  EXPECT_EQ(map.landmarks().size(), 3u) << "farther than 0.75 m";
+}
+
+TEST(LandmarkMap, WhatIsSeenSideBySideStaysTwo) {
+  LandmarkMap map({});
+  map.add(track(0, {1, 2, 3, 4}));
+  map.add(track(0.4, {2, 3, 4, 5}));  // three of four frames in common
+  EXPECT_EQ(map.landmarks().size(), 2u);
+  map.add(track(0.1, {4, 8, 9, 10}));  // one of four
+  EXPECT_EQ(map.landmarks().size(), 2u);
+}
+
+// ---------------------------------------------------------------- footprints
+
+std::vector<Vector3d> outline(double length, double width, double yaw, const Vector2d& center) {
+  std::vector<Vector3d> points;
+  const Transform T = pose(center.x(), center.y(), 0, yaw);
+  for (int i = 0; i <= 20; ++i) {
+    for (int j = 0; j <= 20; ++j) {
+      points.push_back(T * Vector3d(length * (i / 20.0 - 0.5), width * (j / 20.0 - 0.5), 0.01 * i));
+    }
+  }
+  return points;
+}
+
+TEST(Footprint, TheMainAxisIsFoundModuloHalfATurn) {
+  for (const double degrees : {0.0, 20.0, 90.0, 135.0, 179.0, 200.0, -30.0}) {
+    const double yaw = degrees * kPi / 180;
+    const auto footprint = footprintOf(outline(1.8, 0.8, yaw, {2, -1}));
+    ASSERT_TRUE(footprint);
+    EXPECT_GE(footprint->yaw, 0);
+    EXPECT_LT(footprint->yaw, kPi);
+    EXPECT_NEAR(std::remainder(footprint->yaw - yaw, kPi), 0, 1e-9);
+    EXPECT_NEAR(footprint->length, 1.8, 1e-9);
+    EXPECT_NEAR(footprint->width, 0.8, 1e-9);
+    EXPECT_NEAR((footprint->center - Vector2d(2, -1)).norm(), 0, 1e-9);
+  }
+}
+
+TEST(Footprint, DoesNotDependOnWhichSideHasMorePoints) {
+  std::vector<Vector3d> points = outline(1.8, 0.8, 0.3, {0, 0});
+  const Transform T = pose(0, 0, 0, 0.3);
+  for (int i = 0; i < 1000; ++i) points.push_back(T * Vector3d(0.9 - 1e-4 * i, 0.4, 0));
+  EXPECT_NEAR(footprintOf(points)->yaw, 0.3, 1e-9);
+}
+
+TEST(Footprint, PointsOnALineHaveNone) {
+  const std::vector<Vector3d> line = {{0, 0, 0}, {1, 1, 0}, {2, 2, 1}, {3, 3, 0}};
+  EXPECT_FALSE(footprintOf(line));
+  EXPECT_FALSE(footprintOf(std::vector<Vector3d>{}));
+}
+
+// ---------------------------------------------------------------- templates
+
+/// 1.8 m wide, 0.8 m deep, 0.9 m high, with the back at -x: its front is known.
+Mesh tinyCouch() {
+  Mesh couch = boxMesh(Aabb(Vector3d(-0.4, -0.9, 0), Vector3d(0.4, 0.9, 0.4)));
+  append(boxMesh(Aabb(Vector3d(-0.4, -0.9, 0.4), Vector3d(-0.2, 0.9, 0.9))), couch);
+  return couch;
+}
+
+std::vector<Vector3d> pointsOn(const Mesh& mesh) {
+  std::vector<Vector3d> points;
+  for (const Eigen::Vector3i& face : mesh.faces) {
+    for (int i = 0; i <= 8; ++i) {
+      for (int j = 0; i + j <= 8; ++j) {
+        const double u = i / 8.0;
+        const double v = j / 8.0;
+        points.push_back((1 - u - v) * mesh.vertices[static_cast<std::size_t>(face[0])] +
+                         u * mesh.vertices[static_cast<std::size_t>(face[1])] +
+                         v * mesh.vertices[static_cast<std::size_t>(face[2])]);
+      }
+    }
+  }
+  return points;
+}
+
+TEST(TemplateModel, StandsWithTheMiddleOfItsFootprintAtTheLandmark) {
+  const TemplateModel model(transformed(pose(7, 8, 9, 0), tinyCouch()));
+  const auto points = outline(1.0, 0.5, 0, {2, 3});
+  const auto placed = model.place({.position = "centroid", .yaw = "fixed"}, Vector2d(5, -6),
+                                  *footprintOf(points), points);
+  EXPECT_NEAR((bounds(placed.mesh).min() - Vector3d(4.6, -6.9, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((bounds(placed.mesh).max() - Vector3d(5.4, -5.1, 0.9)).norm(), 0, 1e-12);
+  const auto in_the_middle = model.place({.position = "mid_extent", .yaw = "fixed"},
+                                         Vector2d(5, -6), *footprintOf(points), points);
+  EXPECT_NEAR((bounds(in_the_middle.mesh).center() - Vector3d(2, 3, 0.45)).norm(), 0, 1e-12);
+}
+
+TEST(TemplateModel, MayHangAtTheHeightOfThePoints) {
+  const TemplateModel model(standingBox(0.2, 0.4, 0.6));
+  const std::vector<Vector3d> points = {{0, 0, 1}, {1, 0, 2}, {0, 1, 3}};
+  const auto placed =
+      model.place({.yaw = "fixed", .z = "centroid"}, Vector2d(0, 0), *footprintOf(points), points);
+  EXPECT_NEAR(bounds(placed.mesh).center().z(), 2, 1e-12);
+}
+
+TEST(TemplateModel, TheLongerSideGoesAlongTheFootprint) {
+  const TemplateModel model(tinyCouch());
+  const double yaw = 0.6;
+  const auto points = pointsOn(transformed(pose(1, 2, 0, yaw), tinyCouch()));
+  const auto placed =
+      model.place({.yaw = "hull_pca"}, Vector2d(1, 2), *footprintOf(points), points);
+  const Vector3d front = placed.T_world_object.linear().col(0);
+  EXPECT_NEAR(std::remainder(std::atan2(front.y(), front.x()) - yaw, kPi), 0, 1e-9);
+}
+
+TEST(TemplateModel, TheSearchTellsFrontFromBack) {
+  const TemplateModel model(tinyCouch());
+  for (const double degrees : {40.0, 220.0}) {
+    const double yaw = degrees * kPi / 180;
+    const auto points = pointsOn(transformed(pose(1, 2, 0, yaw), tinyCouch()));
+    const auto placed = model.place({.yaw = "chamfer_search", .yaw_step_deg = 10}, Vector2d(1, 2),
+                                    *footprintOf(points), points);
+    const Vector3d front = placed.T_world_object.linear().col(0);
+    EXPECT_NEAR(std::remainder(std::atan2(front.y(), front.x()) - yaw, 2 * kPi), 0, 1e-9);
+  }
+}
+
+TEST(TemplateModel, MayBeStretchedToTheExtents) {
+  const TemplateModel model(tinyCouch());
+  const auto points = pointsOn(transformed(pose(1, 2, 0, 0), standingBox(1.0, 2.0, 0.6)));
+  const auto placed = model.place({.yaw = "fixed", .scale = "fitted_to_extents"}, Vector2d(1, 2),
+                                  *footprintOf(points), points);
+  EXPECT_NEAR((bounds(placed.mesh).sizes() - Vector3d(1.0, 2.0, 0.6)).norm(), 0, 1e-9);
+}
+
+// ---------------------------------------------------------------- the whole method
+
+class TemplateCadRun : public ::testing::Test {
+ protected:
+  TemplateCadRun() {
+    writeMesh(folder_ / "chair.ply", tinyChair());
+    writeMesh(folder_ / "couch.ply", tinyCouch());
+    for (const std::string name : {"chair", "couch"}) {
+      TemplateCad::ClassRules rules = TemplateCad::publishedRules(name);
+      rules.mesh = folder_ / (name + ".ply");
+      config_.templates.push_back(rules);
+    }
+    config_.measurement.min_extent_m = 0.1;
+    world_.addRoom(6, 6, 2.5);
+  }
+
+  void addChair(double x, double y, double yaw, InstanceId object) {
+    world_.add(transformed(pose(x, y, 0, yaw), tinyChair()), id::kChair, object);
+  }
+  SceneGraph drive(const MiniatureWorld::Path& path) {
+    TemplateCad method(config_, miniatureLabelSpace());
+    return world_.drive(path, method);
+  }
+  /// Around the middle of the room.
+  MiniatureWorld::Path around() const { return orbitPath({0, 0, 0.5}, 2.2, 1.4, 40); }
+
+  TemporaryFolder folder_;
+  TemplateCad::Config config_;
+  MiniatureWorld world_;
+};
+
+TEST_F(TemplateCadRun, AChairBecomesTheTemplateWhereTheChairStands) {
+  addChair(0.2, -0.1, 0, 1);
+  const SceneGraph graph = drive(around());
+  ASSERT_EQ(graph.objects.size(), 1u);
+  const ObjectNode& object = graph.objects[0];
+  EXPECT_EQ(object.id, 1u);
+  EXPECT_EQ(object.label, id::kChair);
+  EXPECT_EQ(object.name, "chair");
+  EXPECT_EQ(object.mesh.faces.size(), tinyChair().faces.size());
+  EXPECT_NEAR((object.box.center().head<2>() - Vector2d(0.2, -0.1)).norm(), 0, 0.1);
+  EXPECT_NEAR(object.box.min().z(), 0, 1e-6);
+  EXPECT_EQ(object.first_observed_ns, kMiniatureStartNs);
+  EXPECT_EQ(object.last_observed_ns, kMiniatureStartNs + 39 * kMiniaturePeriodNs);
+  EXPECT_TRUE(graph.scene_mesh.empty());
+}
+
+TEST_F(TemplateCadRun, ChairsNearerThanTheGateStayTwo) {
+  addChair(-0.3, 0, 0, 1);
+  addChair(0.3, 0, 0, 2);
+  const SceneGraph graph = drive(around());
+  ASSERT_EQ(graph.objects.size(), 2u);
+  double first = graph.objects[0].box.center().x();
+  double second = graph.objects[1].box.center().x();
+  if (first > second) std::swap(first, second);
+  EXPECT_NEAR(first, -0.3, 0.12);
+  EXPECT_NEAR(second, 0.3, 0.12);
+}
+
+TEST_F(TemplateCadRun, IdsThatChangeEveryFrameDoNotMatter) {
+  addChair(-0.5, 0, 0, 1);
+  addChair(0.5, 0.2, 1, 2);
+  const SceneGraph steady = drive(around());
+  world_.shuffleInstanceIds();
+  const SceneGraph shuffled = drive(around());
+  ASSERT_EQ(shuffled.objects.size(), steady.objects.size());
+  for (std::size_t i = 0; i < steady.objects.size(); ++i) {
+    EXPECT_EQ(shuffled.objects[i].mesh.vertices, steady.objects[i].mesh.vertices);
+  }
+}
+
+TEST_F(TemplateCadRun, AFrameWithTheWrongClassMakesNoObject) {
+  addChair(0, 0, 0, 1);
+  world_.confuse(1, id::kCouch, kMiniatureStartNs + 5 * kMiniaturePeriodNs);
+  const SceneGraph graph = drive(around());
+  ASSERT_EQ(graph.objects.size(), 1u);
+  EXPECT_EQ(graph.objects[0].label, id::kChair);
+}
+
+TEST_F(TemplateCadRun, AnObjectSeenAgainAfterAMinuteIsOne) {
+  addChair(0, 0, 0, 1);
+  MiniatureWorld::Path path = around();
+  for (const auto& view :
+       orbitPath({0, 0, 0.5}, 2.0, 1.2, 40, 2 * kPi, kMiniatureStartNs + 64 * kSecond)) {
+    path.push_back(view);
+  }
+  EXPECT_EQ(drive(path).objects.size(), 1u);
+}
+
+TEST_F(TemplateCadRun, SomethingAsLongAsNoChairIsNoChair) {
+  world_.add(transformed(pose(0, 0, 0, 0), standingBox(0.4, 2.0, 0.8)), id::kChair, 1);
+  EXPECT_TRUE(drive(around()).objects.empty());
+}
+
+TEST_F(TemplateCadRun, AnElongatedThingGivesItsYaw) {
+  const double yaw = 0.5;
+  world_.add(transformed(pose(0, 0, 0, yaw), standingBox(0.8, 1.8, 0.8)), id::kCouch, 1);
+  const SceneGraph graph = drive(around());
+  ASSERT_EQ(graph.objects.size(), 1u);
+  const Vector3d front = graph.objects[0].T_world_object.linear().col(0);
+  EXPECT_NEAR(std::remainder(std::atan2(front.y(), front.x()) - yaw, kPi), 0, 0.1);
+}
+
+TEST_F(TemplateCadRun, AClassWithoutATemplateGivesNoObjectAndANote) {
+  world_.add(standingBox(0.5, 0.5, 0.5), id::kComputer, 1);
+  TemplateCad method(config_, miniatureLabelSpace());
+  EXPECT_TRUE(world_.drive(around(), method).objects.empty());
+  ASSERT_EQ(method.notes().size(), 3u);
+  EXPECT_EQ(method.notes()[0], "one template per class: chair (chair.ply), couch (couch.ply)");
+  EXPECT_THAT(method.notes()[1], HasSubstr("yaw"));
+  EXPECT_EQ(method.notes()[2], "no template, no objects: computer, plant, bin");
+}
+
+TEST_F(TemplateCadRun, ConnectedSemanticsReplaceTheInstanceImage) {
+  addChair(0, 0, 0, 1);
+  RgbdFrame frame = world_.frame(around()[0].T_world_camera, kSecond);
+  frame.instances = {};
+  TemplateCad needs_instances(config_, miniatureLabelSpace());
+  EXPECT_THAT(messageOf<InputError>([&] { needs_instances.process(frame); }),
+              HasSubstr("candidates.source: connected_semantics"));
+  config_.candidates.source = "connected_semantics";
+  TemplateCad method(config_, miniatureLabelSpace());
+  for (int i = 0; i < 10; ++i) {
+    frame.stamp_ns += kMiniaturePeriodNs;
+    method.process(frame);
+  }
+  EXPECT_EQ(method.finish().objects.size(), 1u);
+}
+
+TEST_F(TemplateCadRun, ThreadsDoNotMatter) {
+  addChair(-0.5, 0, 0, 1);
+  addChair(0.5, 0.2, 1, 2);
+  config_.placement.yaw = "chamfer_search";
+  setNumThreads(1);
+  const SceneGraph one = drive(around());
+  setNumThreads(4);
+  const SceneGraph four = drive(around());
+  setNumThreads(0);
+  ASSERT_EQ(one.objects.size(), four.objects.size());
+  for (std::size_t i = 0; i < one.objects.size(); ++i) {
+    EXPECT_EQ(one.objects[i].mesh.vertices, four.objects[i].mesh.vertices);
+  }
+}
+
+TEST(TemplateCadConfig, IsReadFromTheFileThatComesWithIt) {
+  ConfigReader reader(ConfigDocument::fromFile(std::string(HYDRABENCH_SOURCE_DIR) +
+                                               "/configs/methods/template_cad.yaml"));
+  std::string ignored;  // the method table reads these two
+  reader.field("type", ignored);
+  reader.field("name", ignored);
+  TemplateCad::Config config;
+  read(reader, config);
+  reader.finish();
+  ASSERT_EQ(config.templates.size(), 4u);
+  EXPECT_EQ(config.templates[0].class_name, "chair");
+  EXPECT_EQ(config.templates[0].gate_m, 0.75);
+  for (const auto& rules : config.templates) {
+    EXPECT_TRUE(std::filesystem::exists(rules.mesh)) << rules.mesh;
+  }
+}
+
+}  // namespace
+}  // namespace hydrabench
