@@ -21,29 +21,35 @@ struct CommandEntry {
   const char* name;
   const char* help;
   Command (*add)(CLI::App&);
+  bool reads_data = false;  ///< opens datasets
 };
 
 // The order is that of a first session: check, look, export, score, print.
 constexpr CommandEntry kCommands[] = {
-    {"doctor", "say what this build can do here and what is missing", addDoctor},
-    {"selftest", "score ground truth against itself: every measure must be perfect", addSelftest},
-    {"view", "render a dataset, a prediction or the shape families to PNG", addView},
+    {"doctor", "say what this build can do here and what is missing", addDoctor, true},
+    {"selftest", "score ground truth against itself: every measure must be perfect", addSelftest,
+     true},
+    {"view", "render a dataset, a prediction or the shape families to PNG", addView, true},
     {"export", "write a dataset as a plain folder of images, poses and ground-truth meshes",
-     addExport},
-    {"evaluate", "score predictions against the ground truth of a dataset", addEvaluate},
+     addExport, true},
+    {"run", "map datasets with methods, score them and print the table: a whole experiment", addRun,
+     true},
+    {"map", "map one dataset with one method", addMap, true},
+    {"evaluate", "score predictions against the ground truth of a dataset", addEvaluate, true},
     {"report", "print or convert the table of a result folder", addReport},
+    {"templates", "write the CAD templates of the method template_cad as PLY files", addTemplates},
     {"defaults", "print every config key at its default", addDefaults},
     {"version", "print version, commit and build flags", addVersion},
 };
 
 constexpr const char* kDescription =
-    "hydrabench: evaluation of object-level 3D scene-graph mapping.\n"
-    "A dataset is a YAML file (configs/datasets/), a prediction a folder with scene_graph.json,\n"
-    "a result a folder with scores.csv and tables.";
+    "hydrabench: evaluation and benchmarking of object-level 3D scene-graph mapping.\n"
+    "Datasets, methods and experiments are YAML files (configs/), a prediction is a folder with\n"
+    "scene_graph.json, a result a folder with scores.csv and tables.";
 
 constexpr const char* kFooter =
     "First steps:\n"
-    "  hydrabench selftest configs/datasets/office_quick.yaml\n"
+    "  hydrabench run configs/experiments/table1_quick.yaml --out results/quick\n"
     "  hydrabench view configs/datasets/office.yaml --out results/view\n"
     "  hydrabench evaluate my_run/ --dataset configs/datasets/office.yaml --out results/my_run\n"
     "Exit codes: 0 done, 1 a gate failed, 2 bad input or usage, 3 inconclusive, 4 partly failed.";
@@ -103,6 +109,7 @@ int runApp(int argc, const char* const* argv) {
   bool show_version = false;
   app.add_flag("--version", show_version, "same as the command version");
   int threads = 0;
+  std::string data;
 
   std::map<const CLI::App*, Command> commands;
   for (const CommandEntry& entry : kCommands) {
@@ -113,6 +120,12 @@ int runApp(int argc, const char* const* argv) {
                      "threads to use; 0: all cores. Results do not depend on it")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    if (entry.reads_data) {
+      subcommand
+          ->add_option("--data", data,
+                       "folder of data sets that are not part of the project (docs/datasets.md)")
+          ->type_name("DIR");
+    }
   }
   if (arguments.empty()) {
     fmt::print("{}", app.help());
@@ -143,6 +156,7 @@ int runApp(int argc, const char* const* argv) {
 
   try {
     setNumThreads(threads);
+    if (!data.empty()) setenv("HYDRABENCH_DATA", data.c_str(), 1);
     return commands.at(app.get_subcommands().front())();
   } catch (const InputError& error) {
     fmt::print(stderr, "hydrabench: {}\n", error.what());

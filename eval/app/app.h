@@ -23,9 +23,12 @@ enum ExitCode : int {
 using Command = std::function<int()>;
 Command addExport(CLI::App& app);
 Command addView(CLI::App& app);
+Command addMap(CLI::App& app);
+Command addRun(CLI::App& app);
 Command addEvaluate(CLI::App& app);
 Command addReport(CLI::App& app);
 Command addSelftest(CLI::App& app);
+Command addTemplates(CLI::App& app);
 Command addDefaults(CLI::App& app);
 Command addDoctor(CLI::App& app);
 Command addVersion(CLI::App& app);

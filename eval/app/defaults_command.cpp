@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
+#include <sstream>
+
 #include <fmt/format.h>
 
 #include "eval/app/app.h"
 #include "eval/app/evaluation_setup.h"
+#include "eval/experiment/method_table.h"
 #include "eval/simulation/simulated_dataset.h"
 
 namespace hydrabench {
@@ -17,16 +20,24 @@ int printDefaults() {
   EvaluationConfig scoring;
   read(evaluation, scoring);
   fmt::print(
-      "# Every key of the default office and of the evaluation, at its default.\n"
+      "# Every key of the default office, of the evaluation and of each method, at its default.\n"
       "# Made by: hydrabench defaults > configs/default.yaml\n{}",
       combinedConfig("type: simulated\n" + dataset.resolved(), evaluation.resolved()));
+  fmt::print("methods:\n");
+  for (const std::string& type : methodTypes()) {
+    fmt::print("  {}:\n", type);
+    std::istringstream lines("type: " + type + "\nname: " + type + "\n" + methodDefaults(type));
+    for (std::string line; std::getline(lines, line);) fmt::print("    {}\n", line);
+  }
   return kDone;
 }
 
 }  // namespace
 
 Command addDefaults(CLI::App& app) {
-  app.footer("Keys below 'dataset' go into a dataset's YAML; --set takes any of them.");
+  app.footer(
+      "Keys below 'dataset' go into a dataset's YAML, those below a method into that method's;\n"
+      "--set takes any of them.");
   return [] { return printDefaults(); };
 }
 

@@ -70,6 +70,17 @@ void viewDataset(const Options& options) {
   }
 }
 
+void viewPrediction(const Options& options) {
+  const SceneGraph graph = readPrediction(options.source).graph;
+  save(options.out / "prediction.png", predictionPicture(graph));
+  if (!graph.scene_mesh.colors.empty()) {
+    save(options.out / "scene_mesh.png", sceneMeshPicture(graph));
+  }
+  const bool has_meshes = std::any_of(graph.objects.begin(), graph.objects.end(),
+                                      [](const ObjectNode& node) { return !node.mesh.empty(); });
+  if (has_meshes) save(options.out / "objects.png", objectSheet(graph));
+}
+
 int view(const Options& options) {
   if (options.families) {
     save(options.out / "families.png",
@@ -85,7 +96,7 @@ int view(const Options& options) {
   if (is_dataset) {
     viewDataset(options);
   } else {
-    save(options.out / "prediction.png", predictionPicture(readPrediction(options.source).graph));
+    viewPrediction(options);
   }
   return kDone;
 }
@@ -112,7 +123,9 @@ Command addView(CLI::App& app) {
   app.footer(
       "Of a dataset: overview.png, objects.png, frame_*.png (colour, depth, instances) and, for "
       "generated worlds, masks_*.png (colour,\n"
-      "true instances, instances as a method sees them). Of a prediction: prediction.png.");
+      "true instances, instances as a method sees them). Of a prediction: prediction.png (objects "
+      "in the colours of their\n"
+      "classes), scene_mesh.png, objects.png.");
   return [options] { return view(*options); };
 }
 

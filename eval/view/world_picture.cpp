@@ -64,6 +64,45 @@ Image<Rgb> fromAbove(const std::vector<PreviewObject>& objects, const PictureSiz
                        previewPose(box, camera, -75 * kDegrees, 60 * kDegrees, 1.0), style);
 }
 
+/// Every vertex moved outwards along the mean normal of its faces.
+Mesh inflated(Mesh mesh, double distance) {
+  std::vector<Eigen::Vector3d> normals(mesh.vertices.size(), Eigen::Vector3d::Zero());
+  for (const Eigen::Vector3i& face : mesh.faces) {
+    const Eigen::Vector3d& a = mesh.vertices[static_cast<std::size_t>(face[0])];
+    const Eigen::Vector3d normal = (mesh.vertices[static_cast<std::size_t>(face[1])] - a)
+                                       .cross(mesh.vertices[static_cast<std::size_t>(face[2])] - a);
+    for (const int i : face) normals[static_cast<std::size_t>(i)] += normal;
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    mesh.vertices[i] += distance * normals[i].normalized();
+  }
+  return mesh;
+}
+
+/// Objects, each in a picture of its own with its name below.
+class ObjectTiles {
+ public:
+  void add(const PreviewObject& object, const std::string& name) {
+    const Aabb box = bounds(object.mesh);
+    PreviewStyle style;
+    style.floor_z_m = box.min().z();
+    tiles_.push_back(renderPreview(
+        {object}, camera_, previewPose(box, camera_, 35 * kDegrees, 22 * kDegrees, 1.15), style));
+    names_.push_back(name);
+  }
+  std::size_t size() const { return tiles_.size(); }
+  Image<Rgb> picture() const {
+    constexpr int kColumns = 8;
+    return tiled(tiles_, names_, kColumns, PreviewStyle{}.background);
+  }
+
+ private:
+  static constexpr int kTile = 220;
+  Camera camera_ = previewCamera(kTile, kTile, 25 * kDegrees);
+  std::vector<Image<Rgb>> tiles_;
+  std::vector<std::string> names_;
+};
+
 }  // namespace
 
 Image<Rgb> worldPicture(const Dataset& dataset, const PictureSize& size) {
@@ -82,6 +121,7 @@ Image<Rgb> worldPicture(const Dataset& dataset, const PictureSize& size) {
 }
 
 Image<Rgb> predictionPicture(const SceneGraph& graph, const PictureSize& size) {
+  constexpr double kLift = 0.015;  // [m], clear of a scene mesh that holds the same surface
   std::vector<PreviewObject> objects;
   if (!graph.scene_mesh.empty()) {
     objects.push_back(plainObject(graph.scene_mesh, Transform::Identity(), {200, 200, 200}));
@@ -90,25 +130,36 @@ Image<Rgb> predictionPicture(const SceneGraph& graph, const PictureSize& size) {
   for (const ObjectNode& node : graph.objects) {
     const bool has_mesh = !node.mesh.empty();
     if (!has_mesh && node.box.isEmpty()) continue;
-    objects.push_back(plainObject(has_mesh ? node.mesh : boxMesh(node.box), Transform::Identity(),
-                                  colorOf(node.label, graph.label_space)));
+    objects.push_back(plainObject(has_mesh ? inflated(node.mesh, kLift) : boxMesh(node.box),
+                                  Transform::Identity(), colorOf(node.label, graph.label_space)));
     objects.back().mesh.colors.clear();
   }
   return fromAbove(objects, size);
 }
 
+Image<Rgb> sceneMeshPicture(const SceneGraph& graph, const PictureSize& size) {
+  return fromAbove({plainObject(graph.scene_mesh, Transform::Identity(), {200, 200, 200})}, size);
+}
+
+Image<Rgb> objectSheet(const SceneGraph& graph, std::size_t count) {
+  ObjectTiles tiles;
+  for (const ObjectNode& node : graph.objects) {
+    if (node.mesh.empty() || tiles.size() == count) continue;
+    tiles.add(plainObject(node.mesh, Transform::Identity(), colorOf(node.label, graph.label_space)),
+              graph.label_space.nameOf(node.label) + " " +
+                  std::to_string(node.id & ((ObjectId{1} << 56) - 1)));
+  }
+  return tiles.picture();
+}
+
 Image<Rgb> objectSheet(const Dataset& dataset, std::size_t count) {
-  constexpr int kTile = 220;
-  constexpr int kColumns = 8;
   std::vector<const GroundTruthObject*> chosen;
   for (const GroundTruthObject& object : dataset.groundTruth().objects) {
     if (object.scored && chosen.size() < count) chosen.push_back(&object);
   }
   // A generated object is drawn with its materials.
   const auto* simulated = dynamic_cast<const SimulatedDataset*>(&dataset);
-  std::vector<Image<Rgb>> tiles(chosen.size());
-  std::vector<std::string> labels;
-  const Camera camera = previewCamera(kTile, kTile, 25 * kDegrees);
+  ObjectTiles tiles;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     PreviewObject object = plainObject(*chosen[i]->mesh, Transform::Identity(),
                                        colorOf(chosen[i]->label, dataset.labelSpace()));
@@ -118,14 +169,9 @@ Image<Rgb> objectSheet(const Dataset& dataset, std::size_t count) {
           object = surfaceObject(*candidate.surface, Transform::Identity());
       }
     }
-    const Aabb box = bounds(object.mesh);
-    PreviewStyle style;
-    style.floor_z_m = box.min().z();
-    tiles[i] = renderPreview({object}, camera,
-                             previewPose(box, camera, 35 * kDegrees, 22 * kDegrees, 1.15), style);
-    labels.push_back(chosen[i]->name);
+    tiles.add(object, chosen[i]->name);
   }
-  return tiled(tiles, labels, kColumns, PreviewStyle{}.background);
+  return tiles.picture();
 }
 
 }  // namespace hydrabench

@@ -22,6 +22,12 @@ Image<Rgb> worldPicture(const Dataset& dataset, const PictureSize& size = {});
 /// without a mesh as its box.
 Image<Rgb> predictionPicture(const SceneGraph& graph, const PictureSize& size = {});
 
+/// The scene mesh alone in its own colours, from the same side.
+Image<Rgb> sceneMeshPicture(const SceneGraph& graph, const PictureSize& size = {});
+
+/// The first `count` objects of a prediction that have a mesh, each by itself in its own colours.
+Image<Rgb> objectSheet(const SceneGraph& graph, std::size_t count = 40);
+
 /// The first `count` scored objects of a dataset, each by itself with its name.
 Image<Rgb> objectSheet(const Dataset& dataset, std::size_t count = 40);
 

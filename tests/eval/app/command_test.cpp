@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The command as a user runs it: HYDRABENCH_COMMAND is the program just built.
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <sys/wait.h>
 
@@ -55,12 +56,57 @@ TEST_F(Command, TeachesWithoutArguments) {
 }
 
 TEST_F(Command, HelpsForEverySubcommand) {
-  for (const std::string name :
-       {"doctor", "selftest", "view", "export", "evaluate", "report", "defaults", "version"}) {
+  for (const std::string name : {"doctor", "selftest", "view", "export", "run", "map", "evaluate",
+                                 "report", "defaults", "version"}) {
     const Outcome outcome = run(name + " --help");
     EXPECT_EQ(outcome.exit_code, 0) << name;
     EXPECT_THAT(outcome.out, HasSubstr("Usage: hydrabench " + name)) << name;
   }
+}
+
+TEST_F(Command, RunsAnExperimentToATable) {
+  const Outcome outcome =
+      run("run configs/experiments/table1_quick.yaml --out " + path("result") +
+          " --set max_frames=60 --set dataset.camera.width_px=180 "
+          "--set dataset.camera.height_px=120 --set evaluation.bootstrap_resamples=20 "
+          "--set evaluation.samples=500 --set 'datasets.0.seeds=[1,2]'");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("tau_d = 0.5 m, one_to_one"));
+  EXPECT_THAT(outcome.out, HasSubstr("x real time"));
+  for (const std::string file :
+       {"scores.csv", "objects.csv", "timing.csv", "table.md", "table.tex", "provenance.json",
+        "config.yaml", "notes.txt", "predictions/office_quick/2/khronos/scene_graph.json"}) {
+    EXPECT_NE(readText(folder_ / "result" / file), "") << file;
+  }
+  EXPECT_THAT(readText(folder_ / "result/scores.csv"), HasSubstr("office_quick,pooled,hydra,"));
+  EXPECT_THAT(run("report " + path("result") + " --format md").out, HasSubstr("Template CAD: "));
+}
+
+TEST_F(Command, MapsForEvaluate) {
+  const std::string small = " --set dataset.camera.width_px=180 --set dataset.camera.height_px=120";
+  const Outcome mapped =
+      run("map " + kWorld + " --method configs/methods/khronos.yaml --frames 40" + " --out " +
+          path("mine") + small);
+  ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+  EXPECT_THAT(readText(folder_ / "mine/timing.csv"), HasSubstr("khronos,frame,"));
+  const Outcome scored =
+      run("evaluate " + path("mine") + " --dataset " + kWorld + " --out " + path("scored"));
+  EXPECT_EQ(scored.exit_code, 0) << scored.err;
+  EXPECT_THAT(scored.out, HasSubstr("Khronos"));
+}
+
+TEST_F(Command, SaysWhatIsWrongWithAnExperiment) {
+  const std::string quick = "run configs/experiments/table1_quick.yaml --out " + path("x");
+  expectFault("run nowhere.yaml --out " + path("x"), "nowhere.yaml");
+  expectFault(quick + " --set methods.hidra.a=1", "did you mean 'hydra'?");
+  expectFault(quick + " --set dataset.masks.min_pixel=3", "did you mean 'min_pixels'?");
+  expectFault(quick + " --set methods.hydra.type=hidra", "type");
+  expectFault("run configs/experiments/apc.yaml --data /nowhere --out " + path("x"),
+              "no such folder: /nowhere");
+  expectFault(
+      "map " + kWorld + " --method configs/methods/hydra.yaml --out " + path("x") + " --set a=1",
+      "expected a key that starts with 'dataset.' or 'method.'");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
 }
 
 TEST_F(Command, PrintsItsVersion) {

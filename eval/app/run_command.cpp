@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+
+#include "core/io/atomic_file.h"
+#include "eval/app/app.h"
+#include "eval/app/progress.h"
+#include "eval/app/remarks.h"
+#include "eval/experiment/run_experiment.h"
+#include "eval/report/comparison_table.h"
+
+namespace hydrabench {
+namespace {
+
+struct Options {
+  std::filesystem::path experiment;
+  std::filesystem::path out;
+  std::vector<std::string> overrides;
+  bool replace = false;
+};
+
+int run(const Options& options) {
+  const Provenance provenance = currentProvenance(commandLine());
+  const ExperimentConfig experiment = readExperiment(options.experiment, options.overrides);
+  AtomicFolder folder(options.out, options.replace ? kResultMarker : "");
+
+  std::optional<Progress> progress;
+  ExperimentEvents events;
+  events.on_world = [&](const Dataset& dataset, std::size_t frames) {
+    progress.emplace(fmt::format("{}, seed {}", dataset.name(), dataset.seed()), frames);
+  };
+  events.on_frame = [&] { progress->advance(); };
+  events.on_message = [](const std::string& message) { fmt::print(stderr, "{}\n", message); };
+  ExperimentOutcome outcome = runExperiment(experiment, folder.temporary(), events);
+  progress.reset();
+  outcome.result.provenance = provenance;
+
+  const Result& result = outcome.result;
+  for (const MethodEvaluation& method : result.evaluations) printRemarks(method);
+  if (!result.evaluations.empty()) {
+    fmt::print("{}\n", renderTerminal(comparisonTable(allScores(result), kAllMicro, result.notes),
+                                      isatty(STDOUT_FILENO) == 1));
+  }
+  fmt::print("{}peak memory {:.0f} MiB\n", timingSummary(result.timing, outcome.frame_period_s),
+             peakRssMib());
+  if (!outcome.failures.empty()) {
+    writeFileAtomic(folder.temporary() / "failures.txt",
+                    fmt::format("{}\n", fmt::join(outcome.failures, "\n")));
+  }
+  writeResult(folder, result);
+  fmt::print("wrote {}\n", options.out.string());
+  for (const std::string& failure : outcome.failures) fmt::print(stderr, "failed: {}\n", failure);
+  return outcome.failures.empty() ? kDone : kPartlyFailed;
+}
+
+}  // namespace
+
+Command addRun(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("experiment", options->experiment,
+                 "what to run on what (configs/experiments/*.yaml)")
+      ->required()
+      ->type_name("EXPERIMENT.yaml");
+  app.add_option("--out", options->out, "result folder to write")->required()->type_name("RESULT");
+  app.add_flag("--replace", options->replace, "replace the result folder if it exists");
+  addOverrides(app, options->overrides, "methods.hydra.clustering.tolerance_m=0.2");
+  app.footer(
+      "Keys: dataset.KEY for every dataset, methods.NAME.KEY for a method, evaluation.KEY,\n"
+      "datasets.0.seeds=[1,2] and the like for the experiment itself.\n"
+      "RESULT holds the table (md, tex, csv, json), scores.csv, objects.csv, timing.csv, the\n"
+      "predictions and what made them. Where a dataset has no ground truth the methods are run "
+      "and\n"
+      "timed only. Exit code 4: something failed, the rest is kept.");
+  return [options] { return run(*options); };
+}
+
+}  // namespace hydrabench
