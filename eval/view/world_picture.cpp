@@ -88,7 +88,10 @@ class ObjectTiles {
     style.floor_z_m = box.min().z();
     tiles_.push_back(renderPreview(
         {object}, camera_, previewPose(box, camera_, 35 * kDegrees, 22 * kDegrees, 1.15), style));
-    names_.push_back(name);
+    constexpr std::size_t kLongest = 23;  // what fits below a tile
+    names_.push_back(name.size() <= kLongest
+                         ? name
+                         : name.substr(0, kLongest - 6) + ".." + name.substr(name.size() - 4));
   }
   std::size_t size() const { return tiles_.size(); }
   Image<Rgb> picture() const {

@@ -221,6 +221,16 @@ TEST(Hydra, GivesTheSameGraphForAnyNumberOfThreads) {
   EXPECT_EQ(graphs[0].scene_labels, graphs[1].scene_labels);
 }
 
+TEST(Hydra, FindsAtTheEndWhatItSawSinceTheLastUpdate) {
+  MiniatureWorld world;
+  world.add(tinyChair(), id::kChair, 1);
+  MiniatureWorld::Path path = stillPath({1.5, 0, 1}, {9, 0, 1}, 1);  // looks away
+  append(path, stillPath({1.5, 0, 1}, {0, 0, 0.4}, 1, after(path)));
+  Hydra::Config config;
+  config.window.output_separation_s = 10;
+  EXPECT_THAT(mapped(world, path, config).objects, SizeIs(1));
+}
+
 TEST(Hydra, TimesItsStages) {
   MiniatureWorld world;
   world.add(tinyChair(), id::kChair, 1);

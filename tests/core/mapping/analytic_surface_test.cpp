@@ -165,6 +165,28 @@ TEST_P(AnalyticSurface, KeepsItsTopologyWhenVerticesAreMerged) {
   EXPECT_EQ(analyzeTopology(merged).components, analyzeTopology(fine).components);
 }
 
+// Distances along the ray are longer than to the surface by 1 / cos of the angle of incidence, but
+// zero at the same place. What is left is that the band behind the surface is cut off sooner than
+// in front of it. Measured: 0.07 voxels, all of it downward, for this camera; 0.03 from 0.8 m up.
+TEST(AnalyticFloor, SeenAtGrazingAnglesIsMetToAQuarterOfAVoxel) {
+  constexpr double kFloor_m = 0.013;
+  Shape floor;
+  floor.enter = [](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+    return direction.z() < 0 ? (kFloor_m - origin.z()) / direction.z() : HUGE_VAL;
+  };
+  floor.distance = [](const Eigen::Vector3d& p) { return std::abs(p.z() - kFloor_m); };
+  ActiveWindow window{{}};
+  for (int i = 0; i < 40; ++i) {
+    const Eigen::Vector3d eye(0.075 * i, 0, 0.4);
+    const RgbdFrame frame = exactFrame(floor, lookAt(eye, eye + Eigen::Vector3d(10, 0, -1.4)));
+    window.integrate(sensorView(frame, 0.1, 5));
+  }
+  window.finish();
+  const Mesh mesh = window.mesh().mesh();
+  EXPECT_GT(surfaceArea(mesh), 10);
+  EXPECT_LE(rmsError(mesh, floor), 0.25 * kVoxel_m);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, AnalyticSurface, testing::ValuesIn(scenes()),
                          [](const auto& scene) { return std::string(scene.param.name); });
 

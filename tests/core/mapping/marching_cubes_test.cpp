@@ -47,6 +47,34 @@ TEST(CubeTriangles, NumberAsManyAsInThePublishedTable) {
   EXPECT_EQ(total, 820u);
 }
 
+bool onOneFace(int edge_a, int edge_b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    int high = 0;
+    for (int corner :
+         {cubeEdgeLow(edge_a), cubeEdgeHigh(edge_a), cubeEdgeLow(edge_b), cubeEdgeHigh(edge_b)}) {
+      high += corner >> axis & 1;
+    }
+    if (high == 0 || high == 4) return true;
+  }
+  return false;
+}
+
+TEST(CubeTriangles, MeetEachOtherInsideTheCubeAndTheNeighborsOnItsFaces) {
+  for (int mask = 0; mask < 256; ++mask) {
+    int uses[12][12] = {};
+    for (const CubeTriangle& triangle : cubeTriangles(mask)) {
+      for (std::size_t k = 0; k < 3; ++k) ++uses[triangle[k]][triangle[(k + 1) % 3]];
+    }
+    for (int a = 0; a < 12; ++a) {
+      for (int b = 0; b < 12; ++b) {
+        ASSERT_LE(uses[a][b], 1) << mask;
+        if (uses[a][b] == 0) continue;
+        EXPECT_EQ(uses[b][a], onOneFace(a, b) ? 0 : 1) << mask;
+      }
+    }
+  }
+}
+
 TEST(CubeTriangles, AreOneForASingleCornerAndTurnOutward) {
   ASSERT_EQ(cubeTriangles(1).size(), 1u);
   Eigen::Vector3d corners[3];
