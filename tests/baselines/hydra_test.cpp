@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 #include <set>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -229,6 +230,40 @@ TEST(Hydra, FindsAtTheEndWhatItSawSinceTheLastUpdate) {
   Hydra::Config config;
   config.window.output_separation_s = 10;
   EXPECT_THAT(mapped(world, path, config).objects, SizeIs(1));
+}
+
+/// What a method reads of a file, written out in full.
+std::string resolved(const ConfigDocument& document, Hydra::Config& config) {
+  ConfigReader reader(document);
+  std::string word;
+  reader.field("type", word);
+  reader.field("name", word);
+  read(reader, config);
+  reader.finish();
+  return reader.resolved();
+}
+
+ConfigDocument published(const std::string& name) {
+  return ConfigDocument::fromFile(std::string(HYDRABENCH_SOURCE_DIR) + "/configs/methods/" + name);
+}
+
+TEST(Hydra, HasThePublishedValuesOfUHumans2AsDefaults) {
+  Hydra::Config from_file;
+  Hydra::Config defaults;
+  EXPECT_EQ(resolved(published("hydra.yaml"), from_file),
+            resolved(ConfigDocument::fromString("{type: hydra, name: hydra}"), defaults));
+}
+
+TEST(Hydra, ReadsItsOtherPublishedConfigs) {
+  Hydra::Config kimera;
+  resolved(published("hydra_kimera_multi_rgbd.yaml"), kimera);
+  EXPECT_EQ(kimera.window.tsdf.semantics.type, "mle");
+  EXPECT_EQ(kimera.window.mesh_min_weight, 0.5);
+  EXPECT_EQ(kimera.objects.min_cluster_size, 20);
+  Hydra::Config outdoor;
+  resolved(published("hydra_d455_outdoor.yaml"), outdoor);
+  EXPECT_EQ(outdoor.window.radius_m, 15);
+  EXPECT_EQ(outdoor.objects.cluster_tolerance_m, 0.18);
 }
 
 TEST(Hydra, TimesItsStages) {

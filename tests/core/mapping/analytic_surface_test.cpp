@@ -167,7 +167,7 @@ TEST_P(AnalyticSurface, KeepsItsTopologyWhenVerticesAreMerged) {
 
 // Distances along the ray are longer than to the surface by 1 / cos of the angle of incidence, but
 // zero at the same place. What is left is that the band behind the surface is cut off sooner than
-// in front of it. Measured: 0.07 voxels, all of it downward, for this camera; 0.03 from 0.8 m up.
+// in front of it. Measured: 0.08 voxels, downward, for this camera; half of it from 0.8 m up.
 TEST(AnalyticFloor, SeenAtGrazingAnglesIsMetToAQuarterOfAVoxel) {
   constexpr double kFloor_m = 0.013;
   Shape floor;
@@ -183,7 +183,7 @@ TEST(AnalyticFloor, SeenAtGrazingAnglesIsMetToAQuarterOfAVoxel) {
   }
   window.finish();
   const Mesh mesh = window.mesh().mesh();
-  EXPECT_GT(surfaceArea(mesh), 10);
+  EXPECT_GT(surfaceArea(mesh), 7);
   EXPECT_LE(rmsError(mesh, floor), 0.25 * kVoxel_m);
 }
 

@@ -50,7 +50,8 @@ struct Scene {
   FrameBuffer buffer{100};
 
   /// @param on_ball  whether the ball's pixels are the object's in this frame, or no one's
-  void see(const Vector3d& eye, bool on_ball = true) {
+  /// @param u_end    from this column on they never are
+  void see(const Vector3d& eye, bool on_ball = true, int u_end = 96) {
     const auto stamp = static_cast<std::int64_t>(track.observations.size() + 1);
     RgbdFrame frame = ballFrame(eye, stamp);
     Image<std::uint16_t> ids(96, 72);
@@ -61,7 +62,7 @@ struct Scene {
     for (int v = 0; v < 72; ++v) {
       for (int u = 0; u < 96; ++u) {
         if (frame.depth(u, v) > 1.1f) continue;
-        if (on_ball) ids(u, v) = kId;
+        if (on_ball && u < u_end) ids(u, v) = kId;
         observation.box.extend(frame.T_world_camera *
                                frame.camera.backproject(u, v, double{frame.depth(u, v)}));
       }
@@ -124,6 +125,14 @@ std::vector<std::array<double, 9>> sortedFaces(const std::vector<Vector3d>& corn
   return faces;
 }
 
+std::vector<Vector3d> cornersOf(const Mesh& mesh) {
+  std::vector<Vector3d> corners;
+  for (const Eigen::Vector3i& face : mesh.faces) {
+    for (int i = 0; i < 3; ++i) corners.push_back(mesh.vertices[static_cast<std::size_t>(face[i])]);
+  }
+  return corners;
+}
+
 /// The same by the letter: every block of twice the extent, no block left out.
 std::vector<std::array<double, 9>> plainFaces(const Scene& scene,
                                               const ObjectReconstruction::Config& config) {
@@ -180,14 +189,24 @@ TEST(ObjectReconstruction, LeavingOutBlocksChangesNothing) {
       config.voxels_per_side = side;
       const auto mesh = reconstruct(scene, config);
       ASSERT_TRUE(mesh);
-      std::vector<Vector3d> corners;
-      for (const Eigen::Vector3i& face : mesh->faces) {
-        for (int i = 0; i < 3; ++i) {
-          corners.push_back(mesh->vertices[static_cast<std::size_t>(face[i])]);
-        }
-      }
-      EXPECT_EQ(sortedFaces(corners), plainFaces(scene, config)) << interpolation << ' ' << side;
+      EXPECT_EQ(sortedFaces(cornersOf(*mesh)), plainFaces(scene, config))
+          << interpolation << ' ' << side;
     }
+  }
+}
+
+TEST(ObjectReconstruction, LeavingOutBlocksChangesNothingWhereTheObjectEndsOnASurface) {
+  // Half the ball, and voxels several pixels wide: faces reach over the edge of the mask.
+  Scene scene;
+  scene.see({0, 0, 0}, true, 44);
+  scene.see({0.1, 0, 0}, true, 40);
+  ObjectReconstruction::Config config;
+  for (const double share : {0.05, 0.1, 0.15}) {
+    config.voxel_share = share;
+    config.voxels_per_side = 2;
+    const auto mesh = reconstruct(scene, config);
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(sortedFaces(cornersOf(*mesh)), plainFaces(scene, config)) << share;
   }
 }
 
