@@ -3,6 +3,7 @@
 #include "core/objects/candidate_extractor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 

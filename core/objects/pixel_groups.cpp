@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/objects/pixel_groups.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/mapping/voxel_grid.h"
 #include "core/parallel/parallel_for.h"

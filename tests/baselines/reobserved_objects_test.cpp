@@ -50,7 +50,7 @@ TEST(ReobservedObjects, EveryTimeAnObjectWasSeenCounts) {
   objects.add(cube(1, 0, 0, 10));
   objects.add(cube(2, 0.5, 40, 50));  // the same
   objects.add(cube(3, 0.5, 20, 30));  // in between: the same
-  objects.add(cube(4, 0.5, 5, 6));    // together with the first
+  objects.add(cube(4, 0.5, 45, 46));  // together with the second
   EXPECT_EQ(objects.nodes().size(), 2u);
 }
 
