@@ -133,12 +133,7 @@ void Khronos::extractObjects(const std::vector<Track>& ended) {
 }
 
 std::vector<std::string> Khronos::notes() const {
-  return {
-      "Khronos: objects are extracted at once when their tracks end, so results do not depend on "
-      "timing.",
-      fmt::format("Khronos: a scene graph here has no trajectories; {} tracks of moving things are "
-                  "left out.",
-                  num_moving_tracks_)};
+  return {"what moves is tracked and kept out of the map, but is no object of the graph"};
 }
 
 void read(ConfigReader& reader, Khronos::Config& config) {

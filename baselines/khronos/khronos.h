@@ -67,6 +67,7 @@ class Khronos : public MappingSystem {
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }
   std::vector<std::string> notes() const override;
+  std::size_t numMovingTracks() const { return num_moving_tracks_; }  ///< that have ended
 
   const ActiveWindow& window() const { return window_; }
 
