@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/geometry/cube_contours.h"
 #include "core/mapping/cube_triangles.h"
 
 namespace hydrabench {
@@ -170,8 +171,8 @@ TriangleSoup marchingCubes(const TsdfVolume& volume, const BlockIndex& block, do
           return blocks.corner(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2 & 1));
         };
         for (int edge = 0; edge < 12; ++edge) {
-          const int low = cubeEdgeLow(edge);
-          const int high = cubeEdgeHigh(edge);
+          const int low = cubeEdgeStart(edge);
+          const int high = cubeEdgeEnd(edge);
           if (((inside >> low ^ inside >> high) & 1) == 0) continue;
           const GlobalVoxel voxel =
               grid.side * block +

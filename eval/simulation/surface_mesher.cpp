@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "eval/simulation/cube_contours.h"
+#include "core/geometry/cube_contours.h"
 
 namespace hydrabench {
 namespace {

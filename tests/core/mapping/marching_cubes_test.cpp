@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/cube_contours.h"
 #include "core/geometry/mesh_topology.h"
 #include "core/mapping/cube_triangles.h"
 #include "core/types/random.h"
@@ -51,7 +52,7 @@ bool onOneFace(int edge_a, int edge_b) {
   for (int axis = 0; axis < 3; ++axis) {
     int high = 0;
     for (int corner :
-         {cubeEdgeLow(edge_a), cubeEdgeHigh(edge_a), cubeEdgeLow(edge_b), cubeEdgeHigh(edge_b)}) {
+         {cubeEdgeStart(edge_a), cubeEdgeEnd(edge_a), cubeEdgeStart(edge_b), cubeEdgeEnd(edge_b)}) {
       high += corner >> axis & 1;
     }
     if (high == 0 || high == 4) return true;
@@ -80,7 +81,7 @@ TEST(CubeTriangles, AreOneForASingleCornerAndTurnOutward) {
   Eigen::Vector3d corners[3];
   for (std::size_t k = 0; k < 3; ++k) {
     const int edge = cubeTriangles(1)[0][k];
-    EXPECT_EQ(cubeEdgeLow(edge), 0);
+    EXPECT_EQ(cubeEdgeStart(edge), 0);
     corners[k] = Eigen::Vector3d::Unit(edge / 4);
   }
   const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);

@@ -99,7 +99,7 @@ TEST_F(Command, SaysWhatIsWrongWithAnExperiment) {
   const std::string quick = "run configs/experiments/table1_quick.yaml --out " + path("x");
   expectFault("run nowhere.yaml --out " + path("x"), "nowhere.yaml");
   expectFault(quick + " --set methods.hidra.a=1", "did you mean 'hydra'?");
-  expectFault(quick + " --set dataset.masks.min_pixel=3", "did you mean 'min_pixels'?");
+  expectFault(quick + " --set dataset.masks.min_pixel=3", "did you mean masks.min_pixels?");
   expectFault(quick + " --set methods.hydra.type=hidra", "type");
   expectFault("run configs/experiments/apc.yaml --data /nowhere --out " + path("x"),
               "no such folder: /nowhere");

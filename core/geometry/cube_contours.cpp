@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-#include "eval/simulation/cube_contours.h"
+#include "core/geometry/cube_contours.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,8 @@ int edgeBetween(int a, int b) {
   return -1;
 }
 
+}  // namespace
+
 bool shareCubeFace(int edge_a, int edge_b) {
   const int corners[] = {cubeEdgeStart(edge_a), cubeEdgeEnd(edge_a), cubeEdgeStart(edge_b),
                          cubeEdgeEnd(edge_b)};
@@ -30,6 +32,8 @@ bool shareCubeFace(int edge_a, int edge_b) {
   }
   return false;
 }
+
+namespace {
 
 void chooseFan(CubeContour& contour) {
   const std::size_t n = contour.edges.size();

@@ -16,6 +16,8 @@ constexpr int cubeEdgeStart(int edge) {
 }
 constexpr int cubeEdgeEnd(int edge) { return cubeEdgeStart(edge) | (1 << (edge / 4)); }
 
+bool shareCubeFace(int edge_a, int edge_b);
+
 /// A closed contour of the zero set on the surface of a grid cube: cut edges in order,
 /// counter-clockwise seen from outside the shape.
 struct CubeContour {
