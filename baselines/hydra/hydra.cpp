@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/hydra/hydra.h"
 
-#include <algorithm>
 #include <cstddef>
 
+#include <fmt/format.h>
+
+#include "core/graph/spark_dsg_json.h"
+#include "core/mapping/class_mask.h"
 #include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
 
 namespace hydrabench {
 namespace {
@@ -18,41 +22,28 @@ std::vector<Label> objectLabels(const LabelSpace& label_space) {
   return labels;
 }
 
-/// 1 where a pixel shows one of the classes.
-Image<std::uint8_t> maskOf(const Image<Label>& image, const std::vector<Label>& labels) {
-  Image<std::uint8_t> mask(image.width(), image.height());
-  std::transform(image.begin(), image.end(), mask.begin(), [&](Label label) {
-    return std::find(labels.begin(), labels.end(), label) != labels.end() ? 1 : 0;
-  });
-  return mask;
-}
-
 }  // namespace
 
 Hydra::Hydra(const Config& config, const LabelSpace& label_space)
     : config_(config),
       label_space_(label_space),
+      dynamic_labels_(labelsNamed(config.dynamic_classes, label_space)),
       window_(config.window),
-      objects_(config.objects, objectLabels(label_space)) {
-  for (const std::string& name : config.dynamic_classes) {
-    if (const LabelSpace::Entry* entry = label_space.find(name)) {
-      dynamic_labels_.push_back(entry->label);
-    }
-  }
-}
+      objects_(config.objects, objectLabels(label_space)) {}
 
 void Hydra::process(const RgbdFrame& frame) {
-  const StageTimes::Scope whole(times_, "frame");
+  if (frame.labels.empty()) {
+    throw InputError(
+        fmt::format("hydra: the frame at {} ns has no label image; expected one", frame.stamp_ns));
+  }
   last_stamp_ns_ = frame.stamp_ns;
   last_position_ = frame.T_world_camera.translation();
   {
     const StageTimes::Scope stage(times_, "integrate");
     SensorView view = sensorView(frame, config_.min_range_m, config_.max_range_m);
-    Image<std::uint8_t> mask;
-    if (!dynamic_labels_.empty() && view.labels) {
-      mask = maskOf(*view.labels, dynamic_labels_);
-      view.mask = &mask;
-    }
+    Image<std::uint8_t> mask(view.range.width(), view.range.height());
+    maskClasses(frame.labels, dynamic_labels_, mask);
+    if (!dynamic_labels_.empty()) view.mask = &mask;
     window_.integrate(view);
   }
   if (window_.updateDue(frame.stamp_ns)) update();
@@ -69,7 +60,6 @@ void Hydra::update() {
 
 SceneGraph Hydra::finish() {
   update();
-  const StageTimes::Scope stage(times_, "finish");
   window_.finish();
   objects_.refresh(window_.mesh());
 
@@ -84,7 +74,7 @@ SceneGraph Hydra::finish() {
 
 ObjectNode Hydra::objectNode(const MeshObjects::Node& node) const {
   ObjectNode object;
-  object.id = node.number;
+  object.id = objectNodeId(node.number);
   object.label = node.label;
   object.name = label_space_.nameOf(node.label) + "_" + std::to_string(node.number);
   object.mesh = window_.mesh().submesh(node.vertices);

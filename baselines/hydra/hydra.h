@@ -32,6 +32,15 @@ namespace hydrabench {
 ///    at each update; the rule is the same.
 ///  - A vertex whose fused class is no longer that of its object leaves the object, so that a wrong
 ///    label that is outvoted later leaves nothing behind. Hydra keeps such vertices.
+///  - A colour is blended in with the share w / (W + w) of its weight, the first one whole. Hydra
+///    divides by the weight that w was added to already, and blends the first colour with black.
+///  - Label 0 (unknown) is never fused: where a mask has holes, a voxel keeps the class it was seen
+///    with before. In Hydra's favour.
+///  - The window is measured from the camera. Hydra measures it from the body, 5 cm away on
+///    uHumans2.
+///  - A block that left the window stays until its lower neighbours in x, y and z, to which the
+///    cubes across the border belong, have left it too. Hydra archives it at once and loses those
+///    triangles when the neighbour is meshed again.
 ///  - Triangles that vertex merging folds onto each other with opposite sides are both dropped, so
 ///    that the mesh stays closed; Hydra keeps one.
 ///  - When an object was last observed is when it last got a new vertex.
@@ -52,6 +61,7 @@ class Hydra : public MappingSystem {
   /// Objects are of the classes that are objects in the label space.
   Hydra(const Config& config, const LabelSpace& label_space);
 
+  /// Throws InputError where the frame has no label image.
   void process(const RgbdFrame& frame) override;
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }

@@ -50,6 +50,17 @@ void refreshNode(const MapMesh& mesh, Node& node) {
   node.position = extent.mean;
 }
 
+/// Whether all that is left of the vertices is frozen. A node whose vertices all died has lost its
+/// surface or is measured anew, but has not left the window.
+bool archived(const MapMesh& mesh, const Node& node) {
+  bool frozen = false;
+  for (const VertexId id : node.vertices) {
+    if (mesh.active(id)) return false;
+    frozen = frozen || mesh.alive(id);
+  }
+  return frozen;
+}
+
 void absorb(const MapMesh& mesh, const Node& other, Node& node) {
   node.vertices = unite(node.vertices, other.vertices);
   node.first_observed_ns = std::min(node.first_observed_ns, other.first_observed_ns);
@@ -69,6 +80,7 @@ MeshObjects::MeshObjects(const Config& config, std::vector<Label> labels)
 }
 
 void MeshObjects::update(const MapMesh& mesh, std::int64_t stamp_ns) {
+  for (Node& node : nodes_) node.active = node.active && !archived(mesh, node);
   for (auto& [label, clusters_of_label] : clusters(mesh)) {
     for (std::vector<VertexId>& cluster : clusters_of_label) {
       associate(mesh, label, std::move(cluster), stamp_ns);

@@ -36,7 +36,8 @@ class MeshObjects {
   /// @param labels  of the classes that are objects
   MeshObjects(const Config& config, std::vector<Label> labels);
 
-  /// After the mesh has changed: clusters its active vertices, label by label, and gives each
+  /// After the mesh has changed and blocks were archived: nodes whose vertices are all frozen are
+  /// active no more. Clusters the mesh's active vertices, label by label, and gives each
   /// cluster to the first active node of that label whose box contains the cluster's centroid, or
   /// to a new node. Then merges active nodes of which one's box contains the other's position, lets
   /// go of vertices that are gone and of nodes too small, and merges each active node with the

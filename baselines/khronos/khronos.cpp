@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/khronos/khronos.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
+
+#include "core/graph/spark_dsg_json.h"
+#include "core/mapping/class_mask.h"
 
 namespace hydrabench {
 
@@ -20,22 +22,16 @@ Khronos::Config::Config() {
 Khronos::Khronos(const Config& config, const LabelSpace& label_space)
     : config_(config),
       label_space_(label_space),
+      dynamic_labels_(labelsNamed(config.dynamic_classes, label_space)),
       window_(config.window),
       motion_detector_(config.motion),
       extractor_(config.candidates, label_space),
       tracker_(config.tracker),
       buffer_(static_cast<std::size_t>(config.buffer_frames)),
       reconstruction_(config.reconstruction),
-      objects_(config.min_merge_iou) {
-  for (const std::string& name : config.dynamic_classes) {
-    if (const LabelSpace::Entry* entry = label_space.find(name)) {
-      dynamic_labels_.push_back(entry->label);
-    }
-  }
-}
+      objects_(config.min_merge_iou) {}
 
 void Khronos::process(const RgbdFrame& frame) {
-  const StageTimes::Scope whole(times_, "frame");
   SensorView view = sensorView(frame, config_.min_range_m, config_.max_range_m);
   detectMotion(view);
 
@@ -67,7 +63,6 @@ void Khronos::process(const RgbdFrame& frame) {
 }
 
 SceneGraph Khronos::finish() {
-  const StageTimes::Scope whole(times_, "finish");
   extractObjects(tracker_.takeAll());
   buffer_.keepOnly({});
   window_.finish();
@@ -88,13 +83,7 @@ void Khronos::detectMotion(const SensorView& view) {
 
 Image<std::uint8_t> Khronos::staticMapMask(const RgbdFrame& frame) const {
   Image<std::uint8_t> mask = motion_.ids;
-  if (dynamic_labels_.empty() || frame.labels.empty()) return mask;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    const Label label = frame.labels.data()[i];
-    const bool dynamic =
-        std::find(dynamic_labels_.begin(), dynamic_labels_.end(), label) != dynamic_labels_.end();
-    if (dynamic) mask.data()[i] = 255;
-  }
+  if (!frame.labels.empty()) maskClasses(frame.labels, dynamic_labels_, mask);
   return mask;
 }
 
@@ -118,7 +107,7 @@ void Khronos::extractObjects(const std::vector<Track>& ended) {
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     if (!meshes[i]) continue;
     ObjectNode node;
-    node.id = next_object_id_++;
+    node.id = objectNodeId(next_object_index_++);
     node.label = tracks[i].label;
     node.name = label_space_.nameOf(node.label);
     node.mesh = std::move(*meshes[i]);

@@ -13,7 +13,7 @@
 namespace hydrabench {
 namespace {
 
-/// The value that `percent` of the others do not exceed, by rank, without interpolation.
+/// The value at place `rank` (rounded down, from 0) of the sorted values: no interpolation.
 float percentile(std::vector<float>& values, double rank) {
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
   std::nth_element(values.begin(), place, values.end());

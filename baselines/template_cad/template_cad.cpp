@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/template_cad/template_cad.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -9,12 +10,11 @@
 #include <fmt/ranges.h>
 
 #include "core/geometry/mesh_io.h"
+#include "core/graph/spark_dsg_json.h"
 #include "core/types/error.h"
 
 namespace hydrabench {
 namespace {
-
-constexpr double kMinRange = 0.1;  // [m] as in the other methods
 
 std::optional<ObjectNode> objectOf(const Landmark& landmark, const TemplateCad::ClassRules& rules,
                                    const TemplateModel& model, const PlacementConfig& placement) {
@@ -74,29 +74,17 @@ TemplateCad::TemplateCad(const Config& config, const LabelSpace& label_space)
       tracker_(config.tracking, gates(config, label_space)),
       landmarks_(config.landmarks) {
   for (const ClassRules& rules : config.templates) {
-    Mesh mesh = readMesh(rules.mesh);
-    if (mesh.empty()) {
-      throw InputError(fmt::format("{}: the template of class {} has no faces, expected a mesh",
-                                   rules.mesh.string(), rules.class_name));
-    }
     const LabelSpace::Entry* entry = label_space.find(rules.class_name);
     if (!entry || !entry->is_object) continue;
-    templates_.try_emplace(entry->label, Template{rules, TemplateModel(std::move(mesh))});
+    templates_.try_emplace(entry->label, Template{rules, TemplateModel(readMesh(rules.mesh))});
   }
 }
 
 void TemplateCad::process(const RgbdFrame& frame) {
-  const StageTimes::Scope whole(times_, "frame");
-  if (config_.candidates.source == "instances" && frame.instances.empty()) {
-    throw InputError(
-        fmt::format("template_cad: the frame at {} ns has no instance image; expected one, or "
-                    "candidates.source: connected_semantics",
-                    frame.stamp_ns));
-  }
   std::vector<InstanceMeasurement> measurements;
   {
     const StageTimes::Scope stage(times_, "measure");
-    const SensorView view = sensorView(frame, kMinRange, config_.candidates.max_range_m);
+    const SensorView view = sensorView(frame, config_.min_range_m, config_.candidates.max_range_m);
     measurements = measureInstances(frame, extractor_.extract(frame, view), config_.measurement);
   }
   const StageTimes::Scope stage(times_, "associate");
@@ -106,7 +94,6 @@ void TemplateCad::process(const RgbdFrame& frame) {
 }
 
 SceneGraph TemplateCad::finish() {
-  const StageTimes::Scope stage(times_, "finish");
   for (InstanceTrack& track : tracker_.takeAll()) landmarks_.add(std::move(track));
   SceneGraph graph;
   graph.label_space = label_space_;
@@ -115,7 +102,7 @@ SceneGraph TemplateCad::finish() {
     std::optional<ObjectNode> object =
         objectOf(landmark, entry.rules, entry.model, config_.placement);
     if (!object) continue;
-    object->id = graph.objects.size() + 1;
+    object->id = objectNodeId(graph.objects.size());
     graph.objects.push_back(*std::move(object));
   }
   return graph;
@@ -135,6 +122,11 @@ std::vector<std::string> TemplateCad::notes() const {
           fmt::format("{} ({})", entry.name, found->second.rules.mesh.filename().string()));
     }
   }
+  std::vector<std::string> unused;
+  for (const ClassRules& rules : config_.templates) {
+    const LabelSpace::Entry* entry = label_space_.find(rules.class_name);
+    if (!entry || !entry->is_object) unused.push_back(rules.class_name);
+  }
   std::string yaw = "the world's axes";
   if (placement.yaw == "hull_pca") yaw = "main axis of the footprint's hull, modulo pi";
   if (placement.yaw == "chamfer_search") {
@@ -144,20 +136,47 @@ std::vector<std::string> TemplateCad::notes() const {
   std::vector<std::string> notes = {
       with.empty() ? std::string("no class of this dataset has a template")
                    : fmt::format("one template per class: {}", fmt::join(with, ", ")),
-      fmt::format("yaw of the template: {}; scale: {}; position: {}; z: {}", yaw,
-                  placement.scale == "fixed" ? "fixed" : "fitted to the extents of the points",
-                  placement.position == "centroid" ? "moving average of the centroid"
-                                                   : "middle of the extents",
-                  placement.z == "ground" ? "on the ground" : "mean height of the points")};
+      fmt::format(
+          "yaw of the template: {}; scale: {}; position: {}; z: {}", yaw,
+          placement.scale == "fixed" ? "fixed" : "fitted to the extents of the points",
+          placement.position == "centroid" ? "moving average of the centroid"
+                                           : "middle of the extents",
+          placement.z == "ground"
+              ? fmt::format("on the ground, whose height is given: {} m", placement.ground_z_m)
+              : std::string("mean height of the points"))};
   if (!without.empty()) {
     notes.push_back(fmt::format("no template, no objects: {}", fmt::join(without, ", ")));
+  }
+  if (!unused.empty()) {
+    notes.push_back(fmt::format("templates of classes that are no objects of this dataset: {}",
+                                fmt::join(unused, ", ")));
   }
   return notes;
 }
 
+namespace {
+
+/// A template that cannot be read is found before the first frame is.
+void requireMesh(ConfigReader& item, const std::filesystem::path& path) {
+  try {
+    if (readMesh(path).empty()) {
+      item.fault("mesh", fmt::format("{} has no faces, expected a mesh", path.string()));
+    }
+  } catch (const InputError& error) {
+    item.fault("mesh", error.what());
+  }
+}
+
+}  // namespace
+
 void read(ConfigReader& reader, TemplateCad::Config& config) {
+  reader.field("min_range_m", config.min_range_m, Bounds{0, 1000});
   auto candidates = reader.section("candidates");
   read(candidates, config.candidates);
+  if (!(config.min_range_m < config.candidates.max_range_m)) {
+    reader.fault("min_range_m",
+                 "is not below candidates.max_range_m; expected a range of distances");
+  }
   auto measurement = reader.section("measurement");
   read(measurement, config.measurement);
   auto tracking = reader.section("tracking");
@@ -171,9 +190,15 @@ void read(ConfigReader& reader, TemplateCad::Config& config) {
     std::string class_name;
     item.require("class");
     item.field("class", class_name);
+    if (std::any_of(config.templates.begin(), config.templates.end(),
+                    [&](const auto& other) { return other.class_name == class_name; })) {
+      item.fault("class",
+                 fmt::format("{} has a template already; expected one per class", class_name));
+    }
     TemplateCad::ClassRules rules = TemplateCad::publishedRules(class_name);
     item.require("mesh");
     item.path("mesh", rules.mesh);
+    if (!rules.mesh.empty()) requireMesh(item, rules.mesh);
     item.field("gate_m", rules.gate_m, Bounds{0.01, 100});
     item.field("min_length_m", rules.min_length_m, Bounds{0, 100});
     item.field("max_length_m", rules.max_length_m, Bounds{0, 100});

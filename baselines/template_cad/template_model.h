@@ -16,14 +16,17 @@
 
 namespace hydrabench {
 
-/// How a template is put where a landmark is. SlideSLAM leaves all four open or arbitrary.
+/// How a template is put where a landmark is. SlideSLAM's front-end has a centre (mid_extent) and a
+/// yaw (PCA of the corners of the hull); its back-end draws templates with a constant scale and a
+/// yaw that has no relation to the object. The height it leaves open.
 struct PlacementConfig {
   /// centroid: the moving average of the measured centres. mid_extent: the middle of the extents of
   /// the accumulated points, along their main axes.
   std::string position = "mid_extent";
   /// fixed: the template's axes are the world's. hull_pca: its longer side along the main axis of
-  /// the points' footprint, which leaves open which end is the front. chamfer_search: of all yaws
-  /// in steps of yaw_step_deg the one with the least mean distance from the points to the template.
+  /// the points' footprint (of the hull's area), which leaves open which end is the front.
+  /// chamfer_search: of all yaws in steps of yaw_step_deg the one with the least mean distance from
+  /// the points to the template.
   std::string yaw = "hull_pca";
   double yaw_step_deg = 10;
   /// fixed: the size of the mesh. fitted_to_extents: stretched to the extents of the points along

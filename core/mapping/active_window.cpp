@@ -5,10 +5,22 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/mapping/frame_check.h"
 #include "core/mapping/marching_cubes.h"
 #include "core/parallel/parallel_for.h"
 
 namespace hydrabench {
+namespace {
+
+/// Calls body(index) for the seven blocks whose cubes reach into a block.
+template <typename Body>
+void forLowerNeighbors(const BlockIndex& block, const Body& body) {
+  for (int n = 1; n < 8; ++n) {
+    body(BlockIndex(block - BlockIndex(n & 1, n >> 1 & 1, n >> 2 & 1)));
+  }
+}
+
+}  // namespace
 
 ActiveWindow::ActiveWindow(const Config& config)
     : config_(config),
@@ -18,6 +30,8 @@ ActiveWindow::ActiveWindow(const Config& config)
       mesh_(config.vertex_merge_m) {}
 
 void ActiveWindow::integrate(const SensorView& view) {
+  requireInsideGrid(view.stamp_ns, view.T_world_sensor.translation(),
+                    std::min(config_.vertex_merge_m, volume_.grid().voxel_size));
   const std::vector<BlockIndex> changed = integrator_.integrate(view, volume_);
   if (config_.track_freespace) freespace_.update(changed, view.stamp_ns, volume_);
 }
@@ -33,17 +47,34 @@ std::vector<BlockIndex> ActiveWindow::update(std::int64_t stamp_ns,
                                              const Eigen::Vector3d& sensor_position) {
   last_update_ns_ = stamp_ns;
   takeMesh();
+  closeWindow(stamp_ns, sensor_position);
   std::vector<BlockIndex> left;
   for (const BlockIndex& index : volume_.blockIndices()) {
-    const std::int64_t updated_ns = volume_.find(index)->last_updated_ns;
-    const double distance_m = (volume_.grid().centerOfBlock(index) - sensor_position).norm();
-    const bool outside = config_.archive == "spatial"
-                             ? distance_m > config_.radius_m && updated_ns < stamp_ns
-                             : static_cast<double>(stamp_ns - updated_ns) * 1e-9 > config_.window_s;
-    if (outside) left.push_back(index);
+    bool needed = !volume_.find(index)->left_window;
+    forLowerNeighbors(index, [&](const BlockIndex& lower) {
+      const VoxelBlock* block = needed ? nullptr : volume_.find(lower);
+      needed = needed || (block && !block->left_window);
+    });
+    if (!needed) left.push_back(index);
   }
-  for (const BlockIndex& index : left) archive(index);
+  for (const BlockIndex& index : left) {
+    archive(index);
+    // Its cubes are theirs too: if they are measured again, they can no longer be taken in full.
+    forLowerNeighbors(index, [&](const BlockIndex& lower) { mesh_.archive(lower); });
+  }
   return left;
+}
+
+void ActiveWindow::closeWindow(std::int64_t stamp_ns, const Eigen::Vector3d& sensor_position) {
+  for (const BlockIndex& index : volume_.blockIndices()) {
+    VoxelBlock& block = *volume_.find(index);
+    const double distance_m = (volume_.grid().centerOfBlock(index) - sensor_position).norm();
+    const double age_s = static_cast<double>(stamp_ns - block.last_updated_ns) * 1e-9;
+    const bool outside = config_.archive == "spatial"
+                             ? distance_m > config_.radius_m && block.last_updated_ns < stamp_ns
+                             : age_s > config_.window_s;
+    block.left_window = block.left_window || outside;
+  }
 }
 
 void ActiveWindow::finish() {
@@ -57,10 +88,15 @@ void ActiveWindow::takeMesh() {
     VoxelBlock& block = *volume_.find(index);
     if (!block.mesh_outdated) continue;
     block.mesh_outdated = false;
-    for (int n = 0; n < 8; ++n) {
-      const BlockIndex lower = index - BlockIndex(n & 1, n >> 1 & 1, n >> 2 & 1);
-      if (volume_.find(lower)) outdated.push_back(lower);
-    }
+    block.left_window = false;
+    outdated.push_back(index);
+    forLowerNeighbors(index, [&](const BlockIndex& lower) {
+      const VoxelBlock* neighbor = volume_.find(lower);
+      // One that left is meshed again only for what it measured itself.
+      if (neighbor && (!neighbor->left_window || neighbor->mesh_outdated)) {
+        outdated.push_back(lower);
+      }
+    });
   }
   std::sort(outdated.begin(), outdated.end(), IndexLess());
   outdated.erase(std::unique(outdated.begin(), outdated.end()), outdated.end());

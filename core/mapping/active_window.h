@@ -18,14 +18,21 @@ namespace hydrabench {
 
 /// The part of the map that still changes: TSDF blocks around the robot, with the mesh of all that
 /// was ever mapped. Per frame: integrate(); then, if updateDue(), update().
+///
+/// The cubes across the border of two blocks belong to the lower one, in x, y and z. So a block
+/// that left the window stays for as long as a lower neighbour is in it, and the window reaches one
+/// block farther at its upper sides; the neighbour itself, once it has left the window, is not
+/// meshed again until it is measured again. Hydra and Khronos archive the upper block at once, and
+/// lose those cubes when the lower one is meshed again: a crack where the robot drives toward
+/// lower coordinates.
 class ActiveWindow {
  public:
   struct Config {
     TsdfVolume::Config tsdf;
     TsdfIntegrator::Config integrator;
-    /// spatial: a block that was not updated in this frame is archived when its centre is farther
-    /// than radius_m from the sensor (Hydra). temporal: when no voxel of it was observed for
-    /// window_s (Khronos).
+    /// spatial: a block that was not updated in this frame leaves the window when its centre is
+    /// farther than radius_m from the sensor (Hydra). temporal: when no voxel of it was observed
+    /// for window_s (Khronos).
     std::string archive = "spatial";
     double radius_m = 8;
     double window_s = 3;
@@ -38,15 +45,16 @@ class ActiveWindow {
   explicit ActiveWindow(const Config& config);
 
   /// Fuses a frame into the volume, then, if asked for, tracks free space in the blocks that
-  /// changed.
+  /// changed. Throws InputError too far from the origin, see requireInsideGrid().
   void integrate(const SensorView& view);
 
   /// True if the last mesh update lies output_separation_s back (or there was none).
   bool updateDue(std::int64_t stamp_ns) const;
   /// First takes the mesh of the blocks that changed since the last time and of their neighbours at
-  /// -x, -y, -z, whose cubes reach into them. Then archives the blocks that left the window: they
-  /// are deleted from the volume and their triangles frozen, those of this update included. So no
-  /// measurement is lost, and a block that is seen again later starts anew.
+  /// -x, -y, -z, whose cubes reach into them. Then archives the blocks that left the window, and
+  /// whose lower neighbours did: they are deleted from the volume and their triangles frozen, those
+  /// of this update included. So no measurement is lost, and a block that is seen again later
+  /// starts anew.
   /// @return  the archived blocks, in order of IndexLess
   std::vector<BlockIndex> update(std::int64_t stamp_ns, const Eigen::Vector3d& sensor_position);
   /// Takes the mesh of all that is left and archives it: the end of a run.
@@ -57,6 +65,8 @@ class ActiveWindow {
 
  private:
   void takeMesh();
+  /// Sets the blocks' left_window.
+  void closeWindow(std::int64_t stamp_ns, const Eigen::Vector3d& sensor_position);
   void archive(const BlockIndex& block);
 
   Config config_;

@@ -35,7 +35,6 @@ void markOccupied(const Moment& now, VoxelBlock& block) {
   const std::int64_t stamp_ns = std::max<std::int64_t>(now.stamp_ns, 1);
   for (std::size_t i = 0; i < block.voxels.size(); ++i) {
     if (!(block.voxels[i].weight > 0)) continue;
-    block.freespace[i].last_observed_ns = stamp_ns;
     if (block.voxels[i].distance < now.occupied_distance_m) {
       block.freespace[i].last_occupied_ns = stamp_ns;
     }

@@ -10,7 +10,7 @@
 
 namespace hydrabench {
 
-/// Keeps, per voxel, when it was last seen and last full, and whether it was ever reliably empty
+/// Keeps, per voxel, when it was last full, and whether it was ever reliably empty
 /// (Khronos; after Schmid et al., "Dynablox", RA-L 2023). Ever-free is for good, until the block is
 /// archived.
 class FreespaceTracker {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mapping/frame_check.h"
 #include "core/parallel/parallel_for.h"
 
 namespace hydrabench {
@@ -25,24 +26,12 @@ struct PixelVoxels {
 };
 enum Kind : std::uint8_t { kNoPoint = 0, kPoint = 1, kSeed = 2 };
 
-Eigen::Vector3d worldPoint(const SensorView& view, int u, int v) {
-  const Eigen::Vector3d direction = view.camera.backproject(u, v, 1.0);
-  const double depth = static_cast<double>(view.range(u, v)) / direction.norm();
-  return view.T_world_sensor * (depth * direction);
-}
-
-/// As VoxelGrid::voxelAt; std::floor is a call into the library on plain x86-64.
-int floorToInt(double x) {
-  const int truncated = static_cast<int>(x);
-  return truncated - (x < truncated ? 1 : 0);
-}
-
 PixelVoxels locatePixels(const SensorView& view, const TsdfVolume& volume, double max_range_m) {
   const VoxelGrid& grid = volume.grid();
   const std::size_t width = static_cast<std::size_t>(view.range.width());
   PixelVoxels pixels{std::vector<GlobalVoxel>(view.range.size()),
                      std::vector<std::uint8_t>(view.range.size(), kNoPoint)};
-  // As worldPoint(), with what columns and rows share taken out of the loop, in voxels.
+  // What columns and rows share is taken out of the loop. In voxels.
   const Eigen::Matrix3d to_voxels = view.T_world_sensor.linear() / grid.voxel_size;
   const Eigen::Vector3d origin = view.T_world_sensor.translation() / grid.voxel_size;
   std::vector<double> x_of_column(width);
@@ -61,8 +50,7 @@ PixelVoxels locatePixels(const SensorView& view, const TsdfVolume& volume, doubl
       const double x = x_of_column[u];
       const double depth = range / std::sqrt(x * x + y * y + 1);
       const Eigen::Vector3d scaled = origin + depth * (x * to_voxels.col(0) + row_direction);
-      const GlobalVoxel voxel(floorToInt(scaled.x()), floorToInt(scaled.y()),
-                              floorToInt(scaled.z()));
+      const GlobalVoxel voxel = floored(scaled);
       Eigen::Vector3i local = voxel - grid.side * block_index;
       if (local.minCoeff() < 0 || local.maxCoeff() >= grid.side) {
         block_index = grid.blockOf(voxel);
@@ -139,20 +127,21 @@ void growByOneVoxel(Nodes& nodes) {
   }
 }
 
-bool closerThan(double distance, const std::vector<GlobalVoxel>& a,
-                const std::vector<GlobalVoxel>& b) {
-  Eigen::AlignedBox3i box_a;
-  Eigen::AlignedBox3i box_b;
-  for (const GlobalVoxel& voxel : a) box_a.extend(voxel);
-  for (const GlobalVoxel& voxel : b) box_b.extend(voxel);
+/// Voxels of a cluster that hold points, and the box around them.
+struct Extent {
+  std::vector<GlobalVoxel> voxels;
+  Eigen::AlignedBox3i box;
+};
+
+bool closerThan(double distance, const Extent& a, const Extent& b) {
   const auto close = [&](const auto& gap) {
     return gap.template cast<double>().squaredNorm() < distance * distance;
   };
   const Eigen::Vector3i gap =
-      (box_a.min() - box_b.max()).cwiseMax(box_b.min() - box_a.max()).cwiseMax(0);
+      (a.box.min() - b.box.max()).cwiseMax(b.box.min() - a.box.max()).cwiseMax(0);
   if (!close(gap)) return false;
-  for (const GlobalVoxel& p : a) {
-    for (const GlobalVoxel& q : b) {
+  for (const GlobalVoxel& p : a.voxels) {
+    for (const GlobalVoxel& q : b.voxels) {
       if (close(GlobalVoxel(p - q))) return true;
     }
   }
@@ -161,15 +150,18 @@ bool closerThan(double distance, const std::vector<GlobalVoxel>& a,
 
 /// For every cluster the first of those it is merged with, directly or over others.
 std::vector<int> mergedWith(const Nodes& nodes, int num_clusters, double min_separation_voxels) {
-  std::vector<std::vector<GlobalVoxel>> voxels(static_cast<std::size_t>(num_clusters));
+  std::vector<Extent> extents(static_cast<std::size_t>(num_clusters));
   for (const Node& node : nodes.nodes) {
-    if (node.has_points) voxels[static_cast<std::size_t>(node.cluster)].push_back(node.voxel);
+    if (!node.has_points) continue;
+    Extent& extent = extents[static_cast<std::size_t>(node.cluster)];
+    extent.voxels.push_back(node.voxel);
+    extent.box.extend(node.voxel);
   }
-  std::vector<int> first(voxels.size());
+  std::vector<int> first(extents.size());
   std::iota(first.begin(), first.end(), 0);
-  for (std::size_t b = 1; b < voxels.size(); ++b) {
+  for (std::size_t b = 1; b < extents.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
-      if (first[a] == first[b] || !closerThan(min_separation_voxels, voxels[a], voxels[b])) {
+      if (first[a] == first[b] || !closerThan(min_separation_voxels, extents[a], extents[b])) {
         continue;
       }
       const auto [low, high] = std::minmax({first[a], first[b]});
@@ -185,6 +177,7 @@ MotionDetection MotionDetector::detect(const SensorView& view, const TsdfVolume&
   MotionDetection result;
   result.ids = Image<std::uint8_t>(view.range.width(), view.range.height());
   if (!config_.enabled) return result;
+  requireInsideGrid(view.stamp_ns, view.T_world_sensor.translation(), volume.grid().voxel_size);
 
   const PixelVoxels pixels = locatePixels(view, volume, config_.max_range_m);
   Nodes nodes;
@@ -221,15 +214,7 @@ MotionDetection MotionDetector::detect(const SensorView& view, const TsdfVolume&
     if (count == 0 || count < config_.min_pixels || count > config_.max_pixels) continue;
     if (result.clusters.size() == kMaxClusters) break;
     const auto id = static_cast<std::uint8_t>(result.clusters.size() + 1);
-    for (const std::uint32_t pixel : cluster.pixels) {
-      const int width = view.range.width();
-      const Eigen::Vector3d point =
-          worldPoint(view, static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);
-      cluster.box.extend(point);
-      cluster.centroid += point;
-      result.ids.data()[pixel] = id;
-    }
-    cluster.centroid /= static_cast<double>(count);
+    for (const std::uint32_t pixel : cluster.pixels) result.ids.data()[pixel] = id;
     result.clusters.push_back(std::move(cluster));
   }
   return result;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/config/config_reader.h"
-#include "core/geometry/box.h"
 #include "core/mapping/sensor_view.h"
 #include "core/mapping/tsdf_volume.h"
 
@@ -17,8 +16,6 @@ struct MotionDetection {
   Image<std::uint8_t> ids;  ///< 0: static; else the number of the cluster + 1
   struct Cluster {
     std::vector<std::uint32_t> pixels;  ///< row-major indices, ascending
-    Aabb box;                           ///< world [m]
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   };
   std::vector<Cluster> clusters;
 };

@@ -3,11 +3,11 @@
 #include "core/mapping/sensor_view.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "core/mapping/frame_check.h"
 #include "core/parallel/parallel_for.h"
 
 namespace hydrabench {
@@ -86,9 +86,9 @@ RangeTiles::Bounds RangeTiles::over(int u0, int v0, int u1, int v1) const {
 }
 
 SensorView sensorView(const RgbdFrame& frame, double min_range_m, double max_range_m) {
+  requireUsable(frame);
   const Camera& camera = frame.camera;
   const Image<float>& depth = frame.depth;
-  assert(depth.width() == camera.width && depth.height() == camera.height);
   SensorView view;
   view.stamp_ns = frame.stamp_ns;
   view.T_world_sensor = frame.T_world_camera;

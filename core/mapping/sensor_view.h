@@ -48,7 +48,7 @@ struct SensorView {
 };
 
 /// Ranges from the z-depth of a frame. Points to the frame's colours and labels, empty images
-/// excepted.
+/// excepted. Throws InputError where the frame is not usable, see requireUsable().
 /// @param max_range_m  voxels beyond it are not updated
 SensorView sensorView(const RgbdFrame& frame, double min_range_m, double max_range_m);
 

@@ -50,7 +50,8 @@ const TsdfVoxel* TsdfVolume::voxel(const GlobalVoxel& voxel) const {
 void read(ConfigReader& reader, TsdfVolume::Config& config) {
   reader.field("voxel_size_m", config.voxel_size_m, {0.001, 10});
   reader.field("truncation_m", config.truncation_m, {0.001, 100});
-  reader.field("voxels_per_side", config.voxels_per_side, {2, 64});
+  reader.field("voxels_per_side", config.voxels_per_side,
+               {2, 63});  // rows of marching cubes: 64 bits
   if (config.truncation_m < config.voxel_size_m)
     reader.fault("truncation_m", "is below voxel_size_m; expected at least one voxel");
   auto semantics = reader.section("semantics");

@@ -21,11 +21,10 @@ struct TsdfVoxel {
   bool colored = false;  ///< takes the byte that would be padding
 };
 
-/// When a voxel was seen, and seen to be full or empty (Khronos).
+/// When a voxel was seen to be full, and whether it was empty (Khronos).
 struct FreespaceVoxel {
-  std::int64_t last_observed_ns = 0;  ///< 0: never
-  std::int64_t last_occupied_ns = 0;
-  bool ever_free = false;  ///< was empty, with all its neighbours, for long enough
+  std::int64_t last_occupied_ns = 0;  ///< 0: never
+  bool ever_free = false;             ///< was empty, with all its neighbours, for long enough
 };
 
 struct VoxelBlock {
@@ -34,6 +33,7 @@ struct VoxelBlock {
   std::vector<FreespaceVoxel> freespace;     ///< empty unless free space is tracked
   std::int64_t last_updated_ns = 0;
   bool mesh_outdated = false;  ///< changed since the mesh was taken
+  bool left_window = false;    ///< and was not measured since, see ActiveWindow
 };
 
 /// Signed distances in hashed blocks of voxels (Niessner et al., ACM TOG 2013).

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -33,10 +32,13 @@ struct IndexLess {
   }
 };
 
-/// Largest whole number not above each coordinate.
+/// Largest whole number not above each coordinate, which an int must hold. Without std::floor, a
+/// call into the library on plain x86-64.
 inline Eigen::Vector3i floored(const Eigen::Vector3d& p) {
-  return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())),
-          static_cast<int>(std::floor(p.z()))};
+  const Eigen::Vector3i toward_zero(static_cast<int>(p.x()), static_cast<int>(p.y()),
+                                    static_cast<int>(p.z()));
+  return {toward_zero.x() - (p.x() < toward_zero.x()), toward_zero.y() - (p.y() < toward_zero.y()),
+          toward_zero.z() - (p.z() < toward_zero.z())};
 }
 
 /// Geometry of a grid of voxels in blocks; the centre of voxel i lies at (i + 0.5) voxel sizes.

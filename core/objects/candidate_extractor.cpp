@@ -7,8 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/mapping/frame_check.h"
 #include "core/objects/pixel_groups.h"
 #include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
 
 namespace hydrabench {
 namespace {
@@ -29,6 +33,20 @@ CandidateExtractor::CandidateExtractor(const Config& config, const LabelSpace& l
     if (entry.is_object) object_labels_.push_back(entry.label);
   }
   std::sort(object_labels_.begin(), object_labels_.end());
+  if (config_.source == "connected_semantics" && object_labels_.size() > kMaxConnectedKinds) {
+    throw InputError(
+        fmt::format("candidates.source: connected_semantics takes at most {} classes of objects; "
+                    "the label space has {}",
+                    kMaxConnectedKinds, object_labels_.size()));
+  }
+}
+
+void CandidateExtractor::requireImage(const RgbdFrame& frame) const {
+  const bool by_instance = config_.source == "instances";
+  if (!(by_instance ? frame.instances : frame.labels).empty()) return;
+  throw InputError(fmt::format(
+      "the frame at {} ns has no {} image; expected one, or candidates.source: {}", frame.stamp_ns,
+      by_instance ? "instance" : "label", by_instance ? "connected_semantics" : "instances"));
 }
 
 std::vector<ObjectCandidate> CandidateExtractor::labelled(const RgbdFrame& frame,
@@ -36,8 +54,6 @@ std::vector<ObjectCandidate> CandidateExtractor::labelled(const RgbdFrame& frame
                                                           const MotionDetection* motion) const {
   const bool by_instance = config_.source == "instances";
   const Image<std::int32_t>& values = by_instance ? frame.instances : frame.labels;
-  if (values.empty()) return {};
-
   std::vector<InstanceId> instances;  // of objects, ascending
   if (by_instance) {
     for (const auto& [id, label] : frame.instance_labels) {
@@ -80,7 +96,7 @@ void CandidateExtractor::measure(const PixelPoints& points, int width,
               std::max(region.u_end, u + 1), std::max(region.v_end, v + 1)};
     sum += point;
     candidate.box.extend(point);
-    const GlobalVoxel voxel = quicklyFloored(point * per_voxel);
+    const GlobalVoxel voxel = floored(point * per_voxel);
     // Neighbouring pixels mostly share a voxel; what is left is sorted out below.
     if (candidate.voxels.empty() || candidate.voxels.back() != voxel) {
       candidate.voxels.push_back(voxel);
@@ -101,6 +117,9 @@ bool CandidateExtractor::withinVolume(const ObjectCandidate& candidate) const {
 
 FrameCandidates CandidateExtractor::extract(const RgbdFrame& frame, const SensorView& view,
                                             const MotionDetection* motion) const {
+  requireImage(frame);
+  requireInsideGrid(frame.stamp_ns, frame.T_world_camera.translation(),
+                    std::min(config_.grid_size_m, config_.tracking_voxel_m));
   std::vector<ObjectCandidate> candidates;
   if (motion) {
     for (const MotionDetection::Cluster& cluster : motion->clusters) {

@@ -37,18 +37,20 @@ class CandidateExtractor {
     double max_volume_m3 = 0;  ///< 0: no limit
     double tracking_voxel_m = 0.2;
   };
-  /// Candidates of the classes that are objects in the label space.
+  /// Candidates of the classes that are objects in the label space. Throws InputError where
+  /// connected_semantics cannot tell so many classes apart.
   CandidateExtractor(const Config& config, const LabelSpace& label_space);
 
   /// Candidates are numbered from 1: moving ones in the order of their clusters, then the others by
   /// their first pixel in row order. The limits above are for the others; a motion detector has its
-  /// own.
+  /// own. Throws InputError where the frame does not have the image of the source.
   /// @param view    of the same frame
   /// @param motion  moving things, whose pixels no other candidate gets; may be null
   FrameCandidates extract(const RgbdFrame& frame, const SensorView& view,
                           const MotionDetection* motion = nullptr) const;
 
  private:
+  void requireImage(const RgbdFrame& frame) const;
   std::vector<ObjectCandidate> labelled(const RgbdFrame& frame, const SensorView& view,
                                         const MotionDetection* motion) const;
   void measure(const PixelPoints& points, int width, ObjectCandidate& candidate) const;

@@ -33,12 +33,12 @@ double sortedSetIou(const std::vector<T>& a, const std::vector<T>& b, const Less
 }
 
 /// Pixels that points fall on, ascending, each once; points outside the image have none.
-std::vector<std::uint32_t> projected(const std::vector<Eigen::Vector3f>& points,
+std::vector<std::uint32_t> projected(const std::vector<Eigen::Vector3d>& points,
                                      const SensorView& view) {
   const Transform T_sensor_world = view.T_world_sensor.inverse();
   std::vector<std::uint32_t> pixels;
-  for (const Eigen::Vector3f& point : points) {
-    const auto pixel = view.camera.project(T_sensor_world * point.cast<double>());
+  for (const Eigen::Vector3d& point : points) {
+    const auto pixel = view.camera.project(T_sensor_world * point);
     if (!pixel || !view.camera.sees(*pixel)) continue;
     const int u = static_cast<int>(std::floor(pixel->x() + 0.5));
     const int v = static_cast<int>(std::floor(pixel->y() + 0.5));
@@ -146,7 +146,7 @@ class Association {
     const PixelPoints points(view_);
     track.last_points.clear();
     for (const std::uint32_t pixel : candidate.pixels) {
-      track.last_points.push_back(points(pixel).cast<float>());
+      track.last_points.push_back(points(pixel));
     }
   }
 

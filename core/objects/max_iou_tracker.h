@@ -30,7 +30,7 @@ struct Track {
   bool dynamic = false;
   std::vector<Observation> observations;
   std::vector<GlobalVoxel> last_voxels;
-  std::vector<Eigen::Vector3f> last_points;  ///< world [m]; only when tracking by pixels
+  std::vector<Eigen::Vector3d> last_points;  ///< world [m]; only when tracking by pixels
 
   std::int64_t firstSeenNs() const { return observations.front().stamp_ns; }
   std::int64_t lastSeenNs() const { return observations.back().stamp_ns; }

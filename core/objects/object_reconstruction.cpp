@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/mapping/frame_check.h"
 #include "core/mapping/marching_cubes.h"
 #include "core/objects/observed_blocks.h"
 #include "core/parallel/parallel_for.h"
@@ -43,6 +44,7 @@ Reconstruction begin(const ObjectReconstruction::Config& config, const Track& tr
       std::max(config.voxel_share * extent.sizes().maxCoeff(), config.min_voxel_m);
   TsdfVolume::Config tsdf;
   tsdf.voxel_size_m = config.voxel_m > 0 ? config.voxel_m : share_m;
+  requireInsideGrid(track.lastSeenNs(), extent.center(), tsdf.voxel_size_m);
   tsdf.truncation_m = config.truncation_voxels * tsdf.voxel_size_m;
   tsdf.voxels_per_side = config.voxels_per_side;
   tsdf.semantics.type = "binary";

@@ -206,9 +206,9 @@ std::vector<PixelGroup> connectedGroups(const PixelSelection& selection, double 
   const std::size_t width = static_cast<std::size_t>(selection.values.width());
   const std::vector<Run> runs =
       findRuns(selection, [&](std::size_t u, std::size_t v, std::size_t kind) {
-        assert(kind < 1024);
+        assert(kind <= kMaxConnectedKinds);
         const Eigen::Vector3d point = points.at(v * width + u, u, v);
-        return cellKey(kind, quicklyFloored(point * per_cell) - origin);
+        return cellKey(kind, floored(point * per_cell) - origin);
       });
 
   KeyTable cells(runs.size());

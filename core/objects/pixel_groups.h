@@ -37,15 +37,6 @@ class PixelPoints {
   Eigen::Vector3d origin_, axis_x_, axis_y_, axis_z_;  ///< of the sensor, in the world
 };
 
-/// Largest whole number not above each coordinate; std::floor is a call into the library on plain
-/// x86-64.
-inline Eigen::Vector3i quicklyFloored(const Eigen::Vector3d& p) {
-  const Eigen::Vector3i toward_zero(static_cast<int>(p.x()), static_cast<int>(p.y()),
-                                    static_cast<int>(p.z()));
-  return {toward_zero.x() - (p.x() < toward_zero.x()), toward_zero.y() - (p.y() < toward_zero.y()),
-          toward_zero.z() - (p.z() < toward_zero.z())};
-}
-
 /// The pixels that may be grouped.
 struct PixelSelection {
   const Image<std::int32_t>& values;              ///< H x W: class or instance
@@ -64,9 +55,11 @@ struct PixelGroup {
 /// One group per kind. Groups are listed in the order of their first pixels.
 std::vector<PixelGroup> groupsByKind(const PixelSelection& selection, std::size_t num_kinds);
 
+inline constexpr std::size_t kMaxConnectedKinds = 1023;
+
 /// Pixels of one kind whose points touch: the points are put into the cells of a grid, and cells of
 /// one kind that share a face, an edge or a corner are connected. Listed like groupsByKind.
-/// At most 1023 kinds; a sensor sees no farther than 130 000 cells.
+/// At most kMaxConnectedKinds kinds; a sensor sees no farther than 130 000 cells.
 std::vector<PixelGroup> connectedGroups(const PixelSelection& selection, double cell_m);
 
 }  // namespace hydrabench

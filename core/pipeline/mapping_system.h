@@ -20,8 +20,8 @@ class MappingSystem {
   virtual void process(const RgbdFrame& frame) = 0;
   /// The end of the sequence: everything still open is closed. Once, and no frame after it.
   virtual SceneGraph finish() = 0;
-  /// Time per stage so far. A stage is a part of process() or finish(); "frame" is process() as a
-  /// whole.
+  /// Time per stage so far. A stage is a part of process() or finish(), under a name of its own;
+  /// process() and finish() as a whole are timed by the caller, as "frame" and "finish".
   virtual const StageTimes& stageTimes() const = 0;
   /// Remarks a reader of the table must know, e.g. a rule that the method's authors left open.
   virtual std::vector<std::string> notes() const { return {}; }

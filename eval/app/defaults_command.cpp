@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-#include <sstream>
-
 #include <fmt/format.h>
 
 #include "eval/app/app.h"
 #include "eval/app/evaluation_setup.h"
+#include "eval/experiment/indented.h"
 #include "eval/experiment/method_table.h"
 #include "eval/simulation/simulated_dataset.h"
 
@@ -25,9 +24,8 @@ int printDefaults() {
       combinedConfig("type: simulated\n" + dataset.resolved(), evaluation.resolved()));
   fmt::print("methods:\n");
   for (const std::string& type : methodTypes()) {
-    fmt::print("  {}:\n", type);
-    std::istringstream lines("type: " + type + "\nname: " + type + "\n" + methodDefaults(type));
-    for (std::string line; std::getline(lines, line);) fmt::print("    {}\n", line);
+    fmt::print("  {}:\n{}", type,
+               indented("type: " + type + "\nname: " + type + "\n" + methodDefaults(type), 4));
   }
   return kDone;
 }
@@ -37,7 +35,8 @@ int printDefaults() {
 Command addDefaults(CLI::App& app) {
   app.footer(
       "Keys below 'dataset' go into a dataset's YAML, those below a method into that method's;\n"
-      "--set takes any of them.");
+      "--set takes any of them, behind the\n"
+      "prefix that the command names in its help.");
   return [] { return printDefaults(); };
 }
 

@@ -5,24 +5,11 @@
 #include <fmt/format.h>
 
 #include "core/types/error.h"
+#include "eval/experiment/indented.h"
 
 namespace hydrabench {
-namespace {
-
-std::string indented(const std::string& yaml) {
-  std::string text = "  ";
-  for (std::size_t i = 0; i < yaml.size(); ++i) {
-    text += yaml[i];
-    if (yaml[i] == '\n' && i + 1 < yaml.size()) text += "  ";
-  }
-  if (!text.ends_with('\n')) text += '\n';
-  return text;
-}
-
-}  // namespace
-
 std::string combinedConfig(const std::string& dataset_yaml, const std::string& evaluation_yaml) {
-  return "dataset:\n" + indented(dataset_yaml) + "evaluation:\n" + indented(evaluation_yaml);
+  return "dataset:\n" + indented(dataset_yaml, 2) + "evaluation:\n" + indented(evaluation_yaml, 2);
 }
 
 EvaluationSetup openEvaluation(const std::filesystem::path& dataset_config,

@@ -52,6 +52,7 @@ Command addExport(CLI::App& app) {
       ->required()
       ->type_name("DIR");
   app.add_option("--frames", options->frames, "write the first N frames only; 0: all")
+      ->check(CLI::Range(0, 1'000'000'000))
       ->type_name("N");
   app.add_flag("--replace", options->replace, "replace the folder if it exists");
   addOverrides(app, options->overrides, "seed=7");

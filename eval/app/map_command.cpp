@@ -40,7 +40,8 @@ int map(const Options& options) {
           "--set {}: expected a key that starts with 'dataset.' or 'method.'", assignment));
     }
   }
-  AtomicFolder folder(options.out, options.replace ? "prediction.json" : "");
+  // People write predictions by hand; only what this command timed may be replaced.
+  AtomicFolder folder(options.out, options.replace ? kTimingFile : "");
   const MethodConfig method = readMethod(options.method, method_overrides);
   const OpenedDataset opened = openDataset(options.dataset, dataset_overrides);
   const Dataset& dataset = *opened.dataset;
@@ -50,8 +51,7 @@ int map(const Options& options) {
   const DatasetRun run = mapDataset(dataset, {method}, count, [&] { progress.advance(); });
   const MethodRun& result = run.methods.front();
   if (!result.prediction) {
-    fmt::print(stderr, "hydrabench: {}: {}\n", result.method, result.failure);
-    return kPartlyFailed;
+    throw InputError(fmt::format("{}: {}", result.method, result.failure));
   }
   fillRunFolder(folder.temporary(), result);
   folder.commit();
@@ -78,6 +78,7 @@ Command addMap(CLI::App& app) {
       ->required()
       ->type_name("DIR");
   app.add_option("--frames", options->frames, "map the first N frames only; 0: all")
+      ->check(CLI::Range(0, 1'000'000'000))
       ->type_name("N");
   app.add_flag("--replace", options->replace, "replace the prediction folder if it exists");
   addOverrides(app, options->overrides, "method.window.tsdf.voxel_size_m=0.05");

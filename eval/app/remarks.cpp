@@ -6,18 +6,27 @@
 
 namespace hydrabench {
 
+namespace {
+
+std::string objects(std::size_t count) {
+  return fmt::format("{} object{}", count, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
 void printRemarks(const MethodEvaluation& method) {
   if (method.unscored_estimates > 0) {
     fmt::print(stderr,
-               "{}: {} objects were left out: their class is not scored, or they stand for ground "
-               "truth that does not count\n",
-               method.method, method.unscored_estimates);
+               "{}: {} left out: of a class that is not scored, or standing for ground truth that "
+               "does not count\n",
+               method.method, objects(method.unscored_estimates));
   }
   if (method.estimates_without_mesh > 0) {
-    fmt::print(stderr,
-               "{}: {} of {} objects have no mesh: they are found by their box, and have no shape "
-               "to score\n",
-               method.method, method.estimates_without_mesh, method.estimates.size());
+    fmt::print(stderr, "{}: {} of {} without a mesh: found by the box, no shape to score\n",
+               method.method, method.estimates_without_mesh, objects(method.estimates.size()));
+  }
+  if (method.estimates.empty()) {
+    fmt::print(stderr, "{}: no object at all to score on {}\n", method.method, method.dataset);
   }
 }
 

@@ -32,13 +32,18 @@ std::string render(const ComparisonTable& table, const std::string& format, bool
 }
 
 int report(const Options& options) {
-  const std::vector<ScoreRow> rows = readScoresCsv(options.result / "scores.csv");
+  const std::filesystem::path scores = options.result / "scores.csv";
+  if (std::filesystem::exists(options.result / kResultMarker) && !std::filesystem::exists(scores)) {
+    throw InputError(fmt::format("{}: nothing was scored here: its datasets have no ground truth",
+                                 options.result.string()));
+  }
+  const std::vector<ScoreRow> rows = readScoresCsv(scores);
   const ComparisonTable table =
       comparisonTable(rows, options.class_name, readNotes(options.result));
   if (table.blocks.empty()) {
-    throw InputError(fmt::format(
-        "{}: no scores of class '{}'; --class takes a class of that file, {} or {}",
-        (options.result / "scores.csv").string(), options.class_name, kAllMicro, kAllMacro));
+    throw InputError(
+        fmt::format("{}: no scores of class '{}'; --class takes a class of that file, {} or {}",
+                    scores.string(), options.class_name, kAllMicro, kAllMacro));
   }
   const bool color = options.out.empty() && isatty(STDOUT_FILENO) == 1;
   const std::string text = render(table, options.format, color);
@@ -55,7 +60,8 @@ int report(const Options& options) {
 
 Command addReport(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("result", options->result, "result folder, as written by evaluate or selftest")
+  app.add_option("result", options->result,
+                 "result folder, as written by run, evaluate or selftest")
       ->required()
       ->type_name("RESULT");
   app.add_option("--format", options->format, "terminal, md, tex (booktabs), csv or json")

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/io/atomic_file.h"
+#include "core/types/error.h"
 #include "eval/app/app.h"
 #include "eval/app/progress.h"
 #include "eval/app/remarks.h"
@@ -27,6 +30,24 @@ struct Options {
   bool replace = false;
 };
 
+void printTables(const Result& result, const std::map<std::string, double>& frame_period_s) {
+  if (!result.evaluations.empty()) {
+    const std::vector<ScoreRow> scores = allScores(result);
+    std::set<std::string> pooled;
+    for (const MethodEvaluation& evaluation : result.evaluations) {
+      if (evaluation.seed == kPooledSeed) pooled.insert(evaluation.dataset);
+    }
+    for (const MethodEvaluation& evaluation : result.evaluations) {
+      const bool in_table = evaluation.seed == kPooledSeed || !pooled.contains(evaluation.dataset);
+      if (in_table) printRemarks(evaluation);
+    }
+    fmt::print("{}\n", renderTerminal(comparisonTable(scores, kAllMicro, result.notes),
+                                      isatty(STDOUT_FILENO) == 1));
+  }
+  fmt::print("{}peak memory {:.0f} MiB\n", timingSummary(result.timing, frame_period_s),
+             peakRssMib());
+}
+
 int run(const Options& options) {
   const Provenance provenance = currentProvenance(commandLine());
   const ExperimentConfig experiment = readExperiment(options.experiment, options.overrides);
@@ -34,31 +55,31 @@ int run(const Options& options) {
 
   std::optional<Progress> progress;
   ExperimentEvents events;
-  events.on_world = [&](const Dataset& dataset, std::size_t frames) {
-    progress.emplace(fmt::format("{}, seed {}", dataset.name(), dataset.seed()), frames);
+  events.on_world = [&](const std::string& dataset, const std::string& seed, std::size_t frames) {
+    progress.emplace(fmt::format("{}, seed {}", dataset, seed), frames);
   };
   events.on_frame = [&] { progress->advance(); };
-  events.on_message = [](const std::string& message) { fmt::print(stderr, "{}\n", message); };
+  events.on_failure = [](const std::string& failure) {
+    fmt::print(stderr, "failed: {}\n", failure);
+  };
   ExperimentOutcome outcome = runExperiment(experiment, folder.temporary(), events);
   progress.reset();
-  outcome.result.provenance = provenance;
-
-  const Result& result = outcome.result;
-  for (const MethodEvaluation& method : result.evaluations) printRemarks(method);
-  if (!result.evaluations.empty()) {
-    fmt::print("{}\n", renderTerminal(comparisonTable(allScores(result), kAllMicro, result.notes),
-                                      isatty(STDOUT_FILENO) == 1));
+  if (outcome.predictions == 0) {
+    throw InputError(fmt::format("{}: every method failed on every dataset; nothing was written",
+                                 options.experiment.string()));
   }
-  fmt::print("{}peak memory {:.0f} MiB\n", timingSummary(result.timing, outcome.frame_period_s),
-             peakRssMib());
+  outcome.result.provenance = provenance;
+  const Result& result = outcome.result;
+  printTables(result, outcome.frame_period_s);
   if (!outcome.failures.empty()) {
     writeFileAtomic(folder.temporary() / "failures.txt",
                     fmt::format("{}\n", fmt::join(outcome.failures, "\n")));
   }
   writeResult(folder, result);
   fmt::print("wrote {}\n", options.out.string());
-  for (const std::string& failure : outcome.failures) fmt::print(stderr, "failed: {}\n", failure);
-  return outcome.failures.empty() ? kDone : kPartlyFailed;
+  if (outcome.failures.empty()) return kDone;
+  fmt::print(stderr, "{} failed; see failures.txt\n", outcome.failures.size());
+  return kPartlyFailed;
 }
 
 }  // namespace
@@ -71,7 +92,7 @@ Command addRun(CLI::App& app) {
       ->type_name("EXPERIMENT.yaml");
   app.add_option("--out", options->out, "result folder to write")->required()->type_name("RESULT");
   app.add_flag("--replace", options->replace, "replace the result folder if it exists");
-  addOverrides(app, options->overrides, "methods.hydra.clustering.tolerance_m=0.2");
+  addOverrides(app, options->overrides, "methods.hydra.objects.cluster_tolerance_m=0.2");
   app.footer(
       "Keys: dataset.KEY for every dataset, methods.NAME.KEY for a method, evaluation.KEY,\n"
       "datasets.0.seeds=[1,2] and the like for the experiment itself.\n"

@@ -93,6 +93,11 @@ int view(const Options& options) {
   const std::string extension = options.source.extension().string();
   const bool is_dataset = extension == ".yaml" || extension == ".yml" ||
                           std::filesystem::exists(options.source / "dataset.yaml");
+  if (std::filesystem::exists(options.source / "predictions")) {
+    throw InputError(fmt::format("{}: a result folder, expected one of its predictions: {}",
+                                 options.source.string(),
+                                 (options.source / "predictions/DATASET/SEED/METHOD").string()));
+  }
   if (is_dataset) {
     viewDataset(options);
   } else {

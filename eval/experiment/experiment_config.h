@@ -20,34 +20,39 @@ namespace hydrabench {
 ///     datasets:
 ///       - config: ../datasets/office.yaml
 ///         seeds: [1, 2, 3]             # of generated worlds; without it the dataset as it is
-///         set: ["masks.miss_probability=0.1"]
+///       - config: ../datasets/office.yaml
+///         name: office_many_misses     # in tables; without it the dataset's own
+///         set: ["masks.miss_probability=0.3"]
 ///     methods:
 ///       - config: ../methods/hydra.yaml
 ///       - config: ../methods/hydra.yaml
 ///         name: hydra_tight
-///         set: ["clustering.tolerance_m=0.1"]
+///         set: ["objects.cluster_tolerance_m=0.1"]
 ///     evaluation: {voxel_pitch_m: 0.05}
 struct ExperimentConfig {
-  /// One world to map: a dataset, for generated ones with a seed.
-  struct World {
+  /// A dataset, for generated ones with several seeds: worlds that are scored together.
+  struct DatasetEntry {
     std::filesystem::path config;
+    std::string name;  ///< empty: that of the dataset
     std::vector<std::string> overrides;
+    std::vector<int> seeds;  ///< empty: the dataset as it is
+
+    std::size_t numWorlds() const { return seeds.empty() ? 1 : seeds.size(); }
+    /// World `index` below numWorlds().
+    OpenedDataset open(std::size_t index) const;
   };
   std::string name;
-  std::vector<World> worlds;  ///< in order; seeds of one dataset stand together
+  std::vector<DatasetEntry> datasets;
   std::vector<MethodConfig> methods;
   EvaluationConfig evaluation;
   std::size_t max_frames = 0;   ///< of each world; 0: all
   std::string resolved_config;  ///< YAML of the experiment; datasets and methods have their own
-
-  OpenedDataset open(const World& world) const;
 };
 
-/// @param overrides  "dataset.KEY=VALUE" for every dataset, "methods.NAME.KEY=VALUE" for one
-/// method,
-///                   others for the experiment itself ("datasets.0.seeds=[1]", "evaluation.seed=2")
-/// Throws InputError, also for what is wrong in the files of datasets (as far as can be told
-/// without opening them) and methods.
+/// Throws InputError, also for what is wrong in the files of methods; a dataset's are read when it
+/// is opened.
+/// @param overrides  "dataset.KEY=VALUE" for every dataset, "methods.NAME.KEY=VALUE" for a method,
+///                   others for the experiment itself ("datasets.0.seeds=[1]")
 ExperimentConfig readExperiment(const std::filesystem::path& config,
                                 const std::vector<std::string>& overrides = {});
 

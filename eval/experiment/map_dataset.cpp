@@ -9,6 +9,7 @@
 
 #include "core/graph/spark_dsg_json.h"
 #include "core/io/atomic_file.h"
+#include "core/types/error.h"
 
 namespace hydrabench {
 namespace {
@@ -16,7 +17,16 @@ namespace {
 /// A method at work.
 struct Worker {
   std::unique_ptr<MappingSystem> system;
+  StageTimes whole;  ///< process() as "frame", finish() as "finish"
   StageCounts warm_up;
+
+  StageTimes times() const {
+    StageTimes all = whole;
+    for (const StageTimes::Stage& stage : system->stageTimes().stages()) {
+      for (const StageTimes::Sample& sample : stage.samples) all.add(stage.name, sample);
+    }
+    return all;
+  }
 };
 
 /// Runs a step of a method; on an exception the method is out.
@@ -40,19 +50,28 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
   for (std::size_t m = 0; m < methods.size(); ++m) {
     runs[m].method = methods[m].name;
     runs[m].config = methods[m].resolved_config;
-    attempt(runs[m], [&] { workers[m].system = methods[m].start(dataset.labelSpace()); });
+    try {
+      workers[m].system = methods[m].start(dataset.labelSpace());
+    } catch (const InputError&) {
+      throw;  // wrong settings are the user's to mend before anything is mapped
+    } catch (const std::exception& error) {
+      runs[m].failure = error.what();
+    }
   }
   const std::size_t count =
       max_frames == 0 ? dataset.numFrames() : std::min(max_frames, dataset.numFrames());
   std::int64_t first_stamp_ns = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto failed = [](const MethodRun& run) { return !run.failure.empty(); };
+  for (std::size_t i = 0; i < count && !std::all_of(runs.begin(), runs.end(), failed); ++i) {
     const RgbdFrame frame = dataset.frame(i);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       attempt(runs[m], [&] {
-        workers[m].system->process(frame);
-        if (i + 1 == kWarmUpFrames) {
-          workers[m].warm_up = stageCounts(workers[m].system->stageTimes());
+        Worker& worker = workers[m];
+        {
+          const StageTimes::Scope scope(worker.whole, "frame");
+          worker.system->process(frame);
         }
+        if (i + 1 == kWarmUpFrames) worker.warm_up = stageCounts(worker.times());
       });
     }
     if (i == 0) {
@@ -65,14 +84,20 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     attempt(runs[m], [&] {
-      MappingSystem& system = *workers[m].system;
-      Prediction prediction{system.finish(), methods[m].name, system.notes()};
+      Worker& worker = workers[m];
+      Prediction prediction;
+      prediction.method = methods[m].name;
+      {
+        const StageTimes::Scope scope(worker.whole, "finish");
+        prediction.graph = worker.system->finish();
+      }
+      prediction.notes = worker.system->notes();
       if (prediction.graph.label_space.entries.empty()) {
         prediction.graph.label_space = dataset.labelSpace();
       }
       runs[m].prediction = std::move(prediction);
       runs[m].timing = timingRows(dataset.name(), std::to_string(dataset.seed()), methods[m].name,
-                                  system.stageTimes(), workers[m].warm_up);
+                                  worker.times(), worker.warm_up);
     });
     workers[m].system.reset();  // its memory, before the next one finishes
   }
@@ -82,7 +107,7 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
 void fillRunFolder(const std::filesystem::path& folder, const MethodRun& run) {
   assert(run.prediction);
   fillPredictionFolder(folder, *run.prediction);
-  writeFileAtomic(folder / "timing.csv", timingCsv(run.timing));
+  writeFileAtomic(folder / kTimingFile, timingCsv(run.timing));
   writeFileAtomic(folder / "config.yaml", run.config);
 }
 

@@ -35,11 +35,13 @@ inline constexpr std::size_t kWarmUpFrames = 10;
 
 /// Makes or reads each frame once and hands it to every method in turn, so that their times do not
 /// mix. A method that throws is left out from there on; the others go on. A frame that cannot be
-/// read ends the run with the dataset's InputError.
+/// read ends the run with the dataset's InputError, as do settings that a method refuses.
 /// @param max_frames  stop after so many; 0: all
 /// @param on_frame    called after each frame
 DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& methods,
                       std::size_t max_frames, const std::function<void()>& on_frame = {});
+
+inline constexpr const char* kTimingFile = "timing.csv";
 
 /// Writes scene_graph.json, prediction.json, timing.csv and config.yaml into `folder`: a prediction
 /// as `evaluate` reads it. The run must not have failed.

@@ -10,6 +10,7 @@
 #include "baselines/khronos/khronos.h"
 #include "baselines/template_cad/template_cad.h"
 #include "core/config/config_reader.h"
+#include "core/config/plain_name.h"
 
 namespace hydrabench {
 namespace {
@@ -36,15 +37,6 @@ constexpr MethodType kTypes[] = {
     {"khronos", readSystem<Khronos>},
     {"template_cad", readSystem<TemplateCad>},
 };
-
-/// Names become folders and CSV cells.
-bool isPlainName(const std::string& name) {
-  return !name.empty() &&
-         name.find_first_not_of(
-             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVW"
-             "XYZ0123456789_-+.") == std::string::npos &&
-         name.front() != '.';
-}
 
 /// Needs a type of the table.
 Start readType(const std::string& type, ConfigReader& reader) {
@@ -84,7 +76,7 @@ MethodConfig readMethod(const std::filesystem::path& config,
   method.name = type;
   reader.field("name", method.name);
   if (!isPlainName(method.name)) {
-    reader.fault("name", "expected letters, digits, '_', '-', '+' and '.' only");
+    reader.fault("name", fmt::format("'{}', {}", method.name, kPlainNameExpected));
   }
   method.start = readType(type, reader);
   reader.finish();

@@ -80,7 +80,7 @@ std::string timingSummary(const std::vector<TimingRow>& rows,
     const double finish_ms = finish == rows.end() ? 0 : finish->mean_ms;
     const auto frames = static_cast<double>(row.n);
     text +=
-        fmt::format("{:<16} {:<14} seed {:<3} frame p50 {:7.1f} ms  p99 {:7.1f} ms  end {:5.1f} s",
+        fmt::format("{:<16} {:<20} seed {:<3} frame p50 {:7.1f} ms  p99 {:7.1f} ms  end {:5.1f} s",
                     row.method, row.dataset, row.seed, row.p50_ms, row.p99_ms, finish_ms / 1e3);
     const auto period = frame_period_s.find(row.dataset);
     if (period != frame_period_s.end() && period->second > 0) {

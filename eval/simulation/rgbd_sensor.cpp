@@ -47,6 +47,13 @@ void read(ConfigReader& reader, RgbdSensorConfig& config) {
   camera.field("fy_px", config.camera.fy, {1, 1e5});
   camera.field("cx_px", config.camera.cx, {-1e5, 1e5});
   camera.field("cy_px", config.camera.cy, {-1e5, 1e5});
+  const Camera& lens = config.camera;
+  if (!lens.sees({lens.cx, lens.cy})) {
+    // Most likely the size was changed alone.
+    camera.fault("cx_px",
+                 "the principal point lies outside the image; fx, fy, cx and cy belong to "
+                 "the size");
+  }
   camera.field("min_depth_m", config.min_depth_m, {0, 100});
   camera.field("max_depth_m", config.max_depth_m, {0.1, 1000});
   camera.field("color_noise_levels", config.color_noise_levels, {0, 100});

@@ -14,6 +14,7 @@
 
 #include "baselines/template_cad/footprint.h"
 #include "core/geometry/mesh_io.h"
+#include "core/graph/spark_dsg_json.h"
 #include "core/parallel/parallel_for.h"
 #include "core/types/error.h"
 #include "tests/baselines/miniature_world.h"
@@ -181,7 +182,7 @@ TEST_F(TemplateCadRun, AChairBecomesTheTemplateWhereTheChairStands) {
   const SceneGraph graph = drive(around());
   ASSERT_EQ(graph.objects.size(), 1u);
   const ObjectNode& object = graph.objects[0];
-  EXPECT_EQ(object.id, 1u);
+  EXPECT_EQ(object.id, objectNodeId(0));
   EXPECT_EQ(object.label, id::kChair);
   EXPECT_EQ(object.name, "chair");
   EXPECT_EQ(object.mesh.faces.size(), tinyChair().faces.size());
@@ -257,7 +258,72 @@ TEST_F(TemplateCadRun, AClassWithoutATemplateGivesNoObjectAndANote) {
   ASSERT_EQ(method.notes().size(), 3u);
   EXPECT_EQ(method.notes()[0], "one template per class: chair (chair.ply), couch (couch.ply)");
   EXPECT_THAT(method.notes()[1], HasSubstr("yaw"));
+  EXPECT_THAT(method.notes()[1], HasSubstr("on the ground, whose height is given: 0 m"));
   EXPECT_EQ(method.notes()[2], "no template, no objects: computer, plant, bin");
+}
+
+TEST_F(TemplateCadRun, ATemplateOfAClassThatIsNoObjectGivesANote) {
+  for (const std::string name : {"sofa", "wall"}) {
+    config_.templates.push_back(config_.templates[0]);
+    config_.templates.back().class_name = name;
+  }
+  const auto notes = TemplateCad(config_, miniatureLabelSpace()).notes();
+  ASSERT_EQ(notes.size(), 4u);
+  EXPECT_EQ(notes[3], "templates of classes that are no objects of this dataset: sofa, wall");
+}
+
+TEST_F(TemplateCadRun, NothingNearerThanTheLeastRangeCounts) {
+  addChair(0, 0, 0, 1);
+  config_.min_range_m = 4;  // from 2.2 m no part of it is as far
+  EXPECT_TRUE(drive(around()).objects.empty());
+}
+
+/// A box of 0.5 x 0.5 m that turns a corner to a camera at +x and at half its height. Two of its
+/// faces are seen, and depth grows evenly along them from the corner: between the 35th and the 45th
+/// percentile there are a strip on each, 0.35 to 0.45 of the face from the corner, i.e. 0.5 * 0.4 *
+/// cos(45) = 0.14 m behind the corner, which is 0.354 m before the middle. Farther columns are
+/// lower in the image: a little nearer still.
+constexpr double kSeenBefore = 0.354 - 0.14;
+Mesh cornerAhead(double y) {
+  return transformed(pose(0, y, 0, kPi / 4), standingBox(0.5, 0.5, 0.8));
+}
+
+TEST_F(TemplateCadRun, AThingSeenFromOneSideStandsTooNearByAboutHalfItself) {
+  world_.add(cornerAhead(0), id::kChair, 1);
+  const SceneGraph graph = drive(stillPath({2.2, 0, 0.4}, {0, 0, 0.4}, 10));
+  ASSERT_EQ(graph.objects.size(), 1u);
+  const Vector3d middle = graph.objects[0].T_world_object.translation();
+  EXPECT_NEAR(middle.x(), kSeenBefore, 0.03);
+  EXPECT_NEAR(middle.y(), 0, 0.03);
+  EXPECT_EQ(graph.objects[0].mesh.faces.size(), tinyChair().faces.size());  // whole nevertheless
+}
+
+TEST_F(TemplateCadRun, AThingSeenFlatFromOneSideHasNoFootprint) {
+  world_.add(standingBox(0.5, 0.5, 0.8), id::kChair, 1);
+  EXPECT_TRUE(drive(stillPath({2.2, 0, 0.4}, {0, 0, 0.4}, 10)).objects.empty());
+}
+
+TEST_F(TemplateCadRun, AMovingThingIsOneInTheMiddleOfItsWayUnlessTheWayIsTooLong) {
+  // 5 cm a frame: the moving average lags by 5 cm * (1 - 0.1) / 0.1 = 0.45 m, within the gate of
+  // 0.75 m: one track. Its points extend over the way and the 0.32 m between the strips: 0.92 m of
+  // 0.6 m, where the middle is the way's; of 2 m more than the 1.5 m that a chair may have.
+  for (const double way : {0.6, 2.0}) {
+    MiniatureWorld world;
+    world.add(cornerAhead(-0.5 * way), id::kChair, 1, [](std::int64_t stamp_ns) {
+      return pose(0, 0.5e-9 * static_cast<double>(stamp_ns - kMiniatureStartNs), 0, 0);
+    });
+    TemplateCad method(config_, miniatureLabelSpace());
+    const int num_views = 1 + static_cast<int>(std::lround(way / 0.05));
+    const SceneGraph graph = world.drive(stillPath({2.2, 0, 0.4}, {0, 0, 0.4}, num_views), method);
+    if (way > 1) {
+      EXPECT_TRUE(graph.objects.empty());
+      continue;
+    }
+    ASSERT_EQ(graph.objects.size(), 1u);
+    const Vector3d middle = graph.objects[0].T_world_object.translation();
+    EXPECT_NEAR(middle.x(), kSeenBefore, 0.05);
+    EXPECT_NEAR(middle.y(), 0, 0.05);
+  }
 }
 
 TEST_F(TemplateCadRun, ConnectedSemanticsReplaceTheInstanceImage) {
@@ -289,6 +355,23 @@ TEST_F(TemplateCadRun, ThreadsDoNotMatter) {
   for (std::size_t i = 0; i < one.objects.size(); ++i) {
     EXPECT_EQ(one.objects[i].mesh.vertices, four.objects[i].mesh.vertices);
   }
+}
+
+TEST_F(TemplateCadRun, ASecondTemplateForAClassIsAFault) {
+  const std::string chair = (folder_ / "chair.ply").string();
+  ConfigReader reader(ConfigDocument::fromString("templates: [{class: chair, mesh: " + chair +
+                                                 "}, {class: chair, mesh: " + chair + "}]"));
+  TemplateCad::Config config;
+  read(reader, config);
+  EXPECT_THAT(messageOf<InputError>([&] { reader.finish(); }),
+              HasSubstr("chair has a template already; expected one per class"));
+}
+
+TEST_F(TemplateCadRun, TheLeastRangeIsBelowTheGreatest) {
+  ConfigReader reader(ConfigDocument::fromString("{min_range_m: 2, candidates: {max_range_m: 1}}"));
+  TemplateCad::Config config;
+  read(reader, config);
+  EXPECT_THAT(messageOf<InputError>([&] { reader.finish(); }), HasSubstr("min_range_m"));
 }
 
 TEST(TemplateCadConfig, IsReadFromTheFileThatComesWithIt) {

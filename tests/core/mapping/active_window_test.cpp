@@ -11,6 +11,7 @@
 
 #include "core/geometry/mesh_topology.h"
 #include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
 
 namespace hydrabench {
 namespace {
@@ -118,6 +119,113 @@ TEST(ActiveWindow, MeshesCubesThatReachIntoAChangedBlockAnew) {
   const Mesh mesh = stepwise.mesh().mesh();
   EXPECT_EQ(mesh.vertices, at_once.mesh().mesh().vertices);
   EXPECT_EQ(mesh.faces, at_once.mesh().mesh().faces);
+}
+
+double area(const Mesh& mesh) {
+  double twice = 0;
+  for (const Eigen::Vector3i& face : mesh.faces) {
+    const auto corner = [&](int k) { return mesh.vertices[static_cast<std::size_t>(face[k])]; };
+    twice += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+  }
+  return twice / 2;
+}
+
+/// Area of the wall after a drive along 8 m of it, in steps of 0.1 s.
+double areaAfterDrive(const ActiveWindow::Config& config, double direction) {
+  ActiveWindow window(config);
+  for (int i = 0; i < 60; ++i) {
+    const RgbdFrame frame = wall(direction * (-4 + 8 * i / 59.0), kStart + i * kSecond / 10);
+    integrate(window, frame);
+    if (window.updateDue(frame.stamp_ns)) {
+      window.update(frame.stamp_ns, frame.T_world_camera.translation());
+    }
+  }
+  window.finish();
+  return area(window.mesh().mesh());
+}
+
+TEST(ActiveWindow, LeavesNoCrackWhereBlocksLeaveWhicheverWayTheRobotDrives) {
+  ActiveWindow::Config all;
+  all.radius_m = 100;
+  ActiveWindow::Config spatial;
+  spatial.radius_m = 3;
+  ActiveWindow::Config temporal;
+  temporal.archive = "temporal";
+  temporal.window_s = 0.5;
+  for (const double direction : {1.0, -1.0}) {
+    const double whole = areaAfterDrive(all, direction);
+    // 8 m and the half images at the ends; a lost row of cubes would have 0.2 m^2.
+    EXPECT_NEAR(whole, (8 + 2 * 1.575) * 2 * 1.175, 1.5);
+    EXPECT_NEAR(areaAfterDrive(spatial, direction), whole, 0.01) << direction;
+    EXPECT_NEAR(areaAfterDrive(temporal, direction), whole, 0.01) << direction;
+  }
+}
+
+/// With three blocks along x: A [-1.6, 0) is seen all the time, B [0, 1.6) and C [1.6, 3.2) once.
+class Border : public ::testing::Test {
+ protected:
+  Border() : window_(temporal()) {
+    integrate(window_, wall(1.6, kStart));
+    see(-2, 1);
+    see(-2, 4);
+  }
+  static ActiveWindow::Config temporal() {
+    ActiveWindow::Config config;
+    config.archive = "temporal";  // 3 s
+    return config;
+  }
+  void see(double x, int time_s, double focal = 40) {
+    RgbdFrame frame = wall(x, kStart + time_s * kSecond);
+    frame.camera.fx = focal;
+    integrate(window_, frame);
+    window_.update(frame.stamp_ns, {x, 0, 0});
+  }
+  bool exists(int x) const { return window_.volume().find({x, 1, 0}) != nullptr; }
+  /// Triangles with their middle between two x.
+  std::size_t facesBetween(double low, double high) const {
+    const Mesh mesh = window_.mesh().mesh();
+    std::size_t count = 0;
+    for (const Eigen::Vector3i& face : mesh.faces) {
+      double x = 0;
+      for (int k = 0; k < 3; ++k) x += mesh.vertices[static_cast<std::size_t>(face[k])].x() / 3;
+      count += x > low && x < high;
+    }
+    return count;
+  }
+  /// Those of the cubes between B and C.
+  std::size_t facesAcross() const { return facesBetween(1.55, 1.65); }
+  ActiveWindow window_;
+};
+
+TEST_F(Border, ABlockStaysWhileALowerNeighborIsInTheWindow) {
+  EXPECT_TRUE(exists(-1));
+  EXPECT_TRUE(exists(0));
+  EXPECT_FALSE(exists(1)) << "its lower neighbour left too";
+  window_.update(kStart + 8 * kSecond, {-2, 0, 0});
+  EXPECT_EQ(window_.volume().numBlocks(), 0u);
+}
+
+TEST_F(Border, ABlockThatIsSeenAgainKeepsItsCubesThatReachIntoAnArchivedOne) {
+  const std::size_t across = facesAcross();
+  EXPECT_GT(across, 20u);
+  see(0.8, 5, 100);  // B alone
+  EXPECT_FALSE(exists(1));
+  EXPECT_EQ(facesAcross(), across);
+}
+
+TEST_F(Border, ABlockThatLeftIsNotMeshedAgainForItsNeighbor) {
+  const std::size_t across = facesAcross();
+  const std::size_t inside = facesBetween(0.2, 1.4);
+  see(2.6, 5, 100);  // C alone, without the border
+  EXPECT_TRUE(exists(1));
+  EXPECT_EQ(facesAcross(), across);
+  EXPECT_EQ(facesBetween(0.2, 1.4), inside);
+}
+
+TEST(ActiveWindow, RefusesAPoseWhoseVerticesCannotBeNumbered) {
+  ActiveWindow window{{}};  // 5 mm: 2^30 cells are 5.4e6 m
+  EXPECT_NO_THROW(integrate(window, wall(5e6, kStart)));
+  EXPECT_THROW(integrate(window, wall(2e7, kStart)), InputError);
 }
 
 TEST(ActiveWindow, FinishFreezesAllThatIsLeft) {

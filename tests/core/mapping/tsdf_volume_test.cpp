@@ -47,18 +47,28 @@ TEST(TsdfVolume, FindsVoxelsByTheirWorldNumber) {
 
 TEST(TsdfVolume, AVoxelTakesTwelveBytes) { EXPECT_EQ(sizeof(TsdfVoxel), 12u); }
 
-TEST(TsdfVolume, RefusesABandNarrowerThanAVoxel) {
-  const ConfigDocument document =
-      ConfigDocument::fromString("{voxel_size_m: 0.2, truncation_m: 0.1}");
+/// What is wrong with a config; empty: nothing.
+std::string faultOf(const std::string& yaml) {
+  const ConfigDocument document = ConfigDocument::fromString(yaml);
   ConfigReader reader(document);
   TsdfVolume::Config config;
   read(reader, config);
   try {
     reader.finish();
-    FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("truncation_m"));
+    return error.what();
   }
+  return "";
+}
+
+TEST(TsdfVolume, RefusesABandNarrowerThanAVoxel) {
+  EXPECT_THAT(faultOf("{voxel_size_m: 0.2, truncation_m: 0.1}"),
+              testing::HasSubstr("truncation_m"));
+}
+
+TEST(TsdfVolume, RefusesBlocksTooLargeForTheMesher) {
+  EXPECT_EQ(faultOf("{voxels_per_side: 63}"), "");
+  EXPECT_THAT(faultOf("{voxels_per_side: 64}"), testing::HasSubstr("voxels_per_side"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -12,6 +13,7 @@
 
 #include "core/objects/pixel_groups.h"
 #include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
 #include "core/types/random.h"
 #include "tests/core/objects/cell_camera.h"
 
@@ -182,14 +184,38 @@ TEST(CandidateExtractor, InstancesAreTakenAsTheyAreGiven) {
   EXPECT_EQ(found.candidates[1].label, kCouch);
 }
 
-TEST(CandidateExtractor, AFrameWithoutTheImageHasNoCandidates) {
+TEST(CandidateExtractor, RefusesAFrameWithoutTheImageItNeeds) {
   RgbdFrame frame = cellFrame();
   frame.instances = {};
   CandidateExtractor::Config config = smallest();
+  EXPECT_NO_THROW(extract(frame, config));
   config.source = "instances";
-  const FrameCandidates found = extract(frame, config);
-  EXPECT_TRUE(found.candidates.empty());
-  EXPECT_EQ(found.ids.width(), 16);
+  EXPECT_THROW(extract(frame, config), InputError);
+  frame = cellFrame();
+  frame.labels = {};
+  EXPECT_NO_THROW(extract(frame, config));
+  config.source = "connected_semantics";
+  EXPECT_THROW(extract(frame, config), InputError);
+}
+
+TEST(CandidateExtractor, RefusesMoreClassesThanItCanTellApart) {
+  const auto classes = [](Label count) {
+    LabelSpace space;
+    for (Label label = 1; label <= count; ++label) {
+      space.entries.push_back({label, std::to_string(label), {}, true, true});
+    }
+    return space;
+  };
+  RgbdFrame frame = cellFrame();
+  frame.labels(4, 2) = 1023;
+  const CandidateExtractor most(smallest(), classes(1023));
+  const FrameCandidates found = most.extract(frame, cellView(frame));
+  ASSERT_EQ(found.candidates.size(), 1u);
+  EXPECT_EQ(found.candidates[0].label, 1023);
+  EXPECT_THROW(CandidateExtractor(smallest(), classes(1024)), InputError);
+  CandidateExtractor::Config instances = smallest();
+  instances.source = "instances";
+  EXPECT_NO_THROW(CandidateExtractor(instances, classes(1024)));
 }
 
 TEST(CandidateExtractor, MovingThingsComeFirstAndKeepTheirPixels) {

@@ -229,5 +229,21 @@ TEST(MaxIouTracker, ByPixelsProjectsTheLastPointsIntoTheImage) {
   EXPECT_EQ(tracker.tracks().size(), 2u);
 }
 
+TEST(MaxIouTracker, ByPixelsFindsAThingAgainFarFromTheOrigin) {
+  // At 3000 km floats are 0.25 m apart, more than two pixels.
+  MaxIouTracker::Config config;
+  config.track_by = "pixels";
+  config.min_same_label_iou = 0.9;
+  MaxIouTracker tracker(config);
+  ObjectCandidate c = candidate(kChair, {});
+  c.pixels = {pixelAt(4, 2), pixelAt(5, 2), pixelAt(6, 2)};
+  for (const int stamp_ns : {1, 2}) {
+    RgbdFrame frame = cellFrame(stamp_ns);
+    frame.T_world_camera.translation() = Eigen::Vector3d(3e6, 3e6, 0);
+    tracker.update(cellView(frame), {Image<std::uint16_t>(16, 12), {c}});
+  }
+  EXPECT_EQ(tracker.tracks().size(), 1u);
+}
+
 }  // namespace
 }  // namespace hydrabench

@@ -46,7 +46,17 @@ class Command : public ::testing::Test {
   TemporaryFolder folder_;
   /// The quick world, small enough for a test.
   const std::string kWorld = "configs/datasets/office_quick.yaml";
-  const std::string kSmall = "--set camera.width_px=180 --set camera.height_px=120";
+  const std::string kSmall =
+      "--set camera.width_px=180 --set camera.height_px=120 --set camera.fx_px=104 "
+      "--set camera.fy_px=104 --set camera.cx_px=90 --set camera.cy_px=60";
+  /// The same for commands that know several parts.
+  std::string small() const {
+    std::string text = kSmall;
+    for (std::size_t at = 0; (at = text.find("camera.", at)) != std::string::npos; at += 15) {
+      text.insert(at, "dataset.");
+    }
+    return " " + text + " ";
+  }
 };
 
 TEST_F(Command, TeachesWithoutArguments) {
@@ -66,9 +76,8 @@ TEST_F(Command, HelpsForEverySubcommand) {
 
 TEST_F(Command, RunsAnExperimentToATable) {
   const Outcome outcome =
-      run("run configs/experiments/table1_quick.yaml --out " + path("result") +
-          " --set max_frames=60 --set dataset.camera.width_px=180 "
-          "--set dataset.camera.height_px=120 --set evaluation.bootstrap_resamples=20 "
+      run("run configs/experiments/table1_quick.yaml --out " + path("result") + small() +
+          "--set max_frames=100 --set evaluation.bootstrap_resamples=20 "
           "--set evaluation.samples=500 --set 'datasets.0.seeds=[1,2]'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("tau_d = 0.5 m, one_to_one"));
@@ -78,16 +87,22 @@ TEST_F(Command, RunsAnExperimentToATable) {
         "config.yaml", "notes.txt", "predictions/office_quick/2/khronos/scene_graph.json"}) {
     EXPECT_NE(readText(folder_ / "result" / file), "") << file;
   }
-  EXPECT_THAT(readText(folder_ / "result/scores.csv"), HasSubstr("office_quick,pooled,hydra,"));
+  const std::string scores = readText(folder_ / "result/scores.csv");
+  for (const std::string method : {"hydra", "khronos", "template_cad"}) {
+    const std::string found =
+        "office_quick,pooled," + method + ",all_micro,tau_m,0.5,exists,found_truths,";
+    EXPECT_THAT(scores, HasSubstr(found));
+    EXPECT_THAT(scores, Not(HasSubstr(found + "0,"))) << method << " found nothing";
+  }
   EXPECT_THAT(run("report " + path("result") + " --format md").out, HasSubstr("Template CAD: "));
 }
 
 TEST_F(Command, MapsForEvaluate) {
-  const std::string small = " --set dataset.camera.width_px=180 --set dataset.camera.height_px=120";
   const Outcome mapped =
-      run("map " + kWorld + " --method configs/methods/khronos.yaml --frames 40" + " --out " +
-          path("mine") + small);
+      run("map " + kWorld + " --method configs/methods/khronos.yaml --frames 80" + " --out " +
+          path("mine") + small());
   ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+  EXPECT_THAT(mapped.out, Not(::testing::StartsWith("0 objects")));
   EXPECT_THAT(readText(folder_ / "mine/timing.csv"), HasSubstr("khronos,frame,"));
   const Outcome scored =
       run("evaluate " + path("mine") + " --dataset " + kWorld + " --out " + path("scored"));
@@ -100,13 +115,66 @@ TEST_F(Command, SaysWhatIsWrongWithAnExperiment) {
   expectFault("run nowhere.yaml --out " + path("x"), "nowhere.yaml");
   expectFault(quick + " --set methods.hidra.a=1", "did you mean 'hydra'?");
   expectFault(quick + " --set dataset.masks.min_pixel=3", "did you mean masks.min_pixels?");
-  expectFault(quick + " --set methods.hydra.type=hidra", "type");
+  expectFault(quick + " --set methods.hydra.type=hidra",
+              "table1_quick.yaml: methods.0: type: 'hidra' is unknown, expected one of: hydra");
+  expectFault(quick + " --set methods.hydra.max_range_m=far",
+              "table1_quick.yaml: methods.0: max_range_m: expected a finite number");
+  expectFault(quick + " --set methods.hydra=1", "expected methods.NAME.KEY=VALUE");
+  expectFault(quick + " --set dataset.", "--set dataset.: expected dataset.KEY=VALUE");
+  expectFault(
+      "run configs/experiments/redkitchen.yaml --data /nowhere --set datasets.0.seeds=[1] " +
+          std::string("--out ") + path("x"),
+      "redkitchen");
+  expectFault(
+      "map " + kWorld + " --method configs/methods/hydra.yaml --frames -1 --out " + path("x"),
+      "--frames");
   expectFault("run configs/experiments/apc.yaml --data /nowhere --out " + path("x"),
               "no such folder: /nowhere");
   expectFault(
       "map " + kWorld + " --method configs/methods/hydra.yaml --out " + path("x") + " --set a=1",
       "expected a key that starts with 'dataset.' or 'method.'");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
+}
+
+TEST_F(Command, TheExamplesOfTheHelpAreKeysThatExist) {
+  const std::string quick = "run configs/experiments/table1_quick.yaml --set max_frames=1 --out ";
+  EXPECT_EQ(run(quick + path("a") + small() + "--set methods.hydra.objects.cluster_tolerance_m=0.2")
+                .exit_code,
+            0);
+  EXPECT_THAT(run("run --help").out, HasSubstr("methods.hydra.objects.cluster_tolerance_m=0.2"));
+  EXPECT_EQ(run("map " + kWorld + " --method configs/methods/hydra.yaml --frames 1 --out " +
+                path("b") + small() + "--set method.window.tsdf.voxel_size_m=0.05")
+                .exit_code,
+            0);
+  EXPECT_THAT(run("map --help").out, HasSubstr("method.window.tsdf.voxel_size_m=0.05"));
+}
+
+TEST_F(Command, KeepsWhatFinishedWhenAMethodFails) {
+  // A world without instance images: template CAD cannot work, Hydra can.
+  ASSERT_EQ(run(fmt::format("export {} {} --frames 12 --out {}", kWorld, kSmall, path("world")))
+                .exit_code,
+            0);
+  std::filesystem::remove_all(folder_ / "world/instances");
+  const std::string line = "run configs/experiments/table1_quick.yaml --out " + path("kept") +
+                           " --set datasets.0.config=" + path("world/dataset.yaml") +
+                           " --set evaluation.bootstrap_resamples=20";
+  const Outcome outcome = run(line);
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("failed: office_quick, seed 1, template_cad: "));
+  EXPECT_THAT(outcome.out, HasSubstr("Template CAD: 1 of 1 worlds of office_quick failed"));
+  EXPECT_THAT(readText(folder_ / "kept/failures.txt"), HasSubstr("template_cad: "));
+  EXPECT_THAT(readText(folder_ / "kept/scores.csv"), HasSubstr(",hydra,"));
+
+  // A result is not given up for one in which nothing worked.
+  std::filesystem::remove_all(folder_ / "world/depth");
+  EXPECT_EQ(run(line + " --replace").exit_code, 2);
+  EXPECT_THAT(readText(folder_ / "kept/scores.csv"), HasSubstr(",hydra,"));
+}
+
+TEST_F(Command, AMissingTemplateIsFoundBeforeAnythingIsMapped) {
+  expectFault("map " + kWorld + " --method configs/methods/template_cad.yaml --out " + path("x") +
+                  " --set method.templates.0.mesh=nowhere.ply",
+              "nowhere.ply");
 }
 
 TEST_F(Command, PrintsItsVersion) {

@@ -46,9 +46,10 @@ TEST(ExperimentConfig, EverySeedIsAWorldOfItsOwn) {
   const TemporaryFolder folder;
   const ExperimentConfig config =
       readExperiment(experiment(folder, method("hydra.yaml")), {"dataset.masks.min_pixels=40"});
-  ASSERT_EQ(config.worlds.size(), 2u);
-  EXPECT_THAT(config.worlds[0].overrides, ElementsAre("masks.min_pixels=40", "seed=4"));
-  EXPECT_THAT(config.worlds[1].overrides, ElementsAre("masks.min_pixels=40", "seed=7"));
+  ASSERT_EQ(config.datasets.size(), 1u);
+  EXPECT_THAT(config.datasets[0].overrides, ElementsAre("masks.min_pixels=40"));
+  ASSERT_EQ(config.datasets[0].numWorlds(), 2u);
+  EXPECT_EQ(config.datasets[0].open(1).dataset->seed(), 7u);
   EXPECT_EQ(config.name, "experiment");
 }
 
@@ -86,10 +87,31 @@ TEST(ExperimentConfig, AllFaultsOfTheFileComeAtOnce) {
   EXPECT_THAT(fault, HasSubstr("max_frames"));
 }
 
-TEST(ExperimentConfig, AnUnknownKeyOfAMethodNamesItsFile) {
+TEST(ExperimentConfig, AnUnknownKeyOfAMethodNamesFileAndEntry) {
   const TemporaryFolder folder;
   EXPECT_THAT(faultOf(experiment(folder, method("hydra.yaml", "    set: [\"min_rnge_m=1\"]\n"))),
-              HasSubstr("min_rnge_m: unknown key"));
+              HasSubstr("experiment.yaml: methods.0: min_rnge_m: unknown key"));
+}
+
+TEST(ExperimentConfig, OneDatasetTwiceNeedsTwoNames) {
+  const TemporaryFolder folder;
+  const auto again = [&](const std::string& more) {
+    const std::filesystem::path path = folder / "twice.yaml";
+    std::ofstream(path) << "datasets:\n  - config: " << kConfigs << "/datasets/office_quick.yaml\n"
+                        << "  - config: " << kConfigs << "/datasets/office_quick.yaml\n"
+                        << more << "methods:\n"
+                        << method("hydra.yaml");
+    return path;
+  };
+  EXPECT_THAT(faultOf(again("")), HasSubstr("the dataset occurs twice, expected different names"));
+  EXPECT_EQ(faultOf(again("    name: noisy\n    set: [\"masks.miss_probability=0.5\"]\n")), "");
+  EXPECT_THAT(faultOf(again("    name: a/b\n")), HasSubstr("'a/b', expected letters"));
+}
+
+TEST(ExperimentConfig, ASeedBesideAListOfSeedsIsAContradiction) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(faultOf(experiment(folder, method("hydra.yaml")), {"dataset.seed=3"}),
+              HasSubstr("set datasets.0.seeds"));
 }
 
 TEST(ExperimentConfig, EveryShippedExperimentIsReadable) {

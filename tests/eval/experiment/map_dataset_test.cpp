@@ -40,7 +40,7 @@ class CountingMethod : public MappingSystem {
  public:
   explicit CountingMethod(std::size_t throw_at) : throw_at_(throw_at) {}
   void process(const RgbdFrame&) override {
-    const StageTimes::Scope scope(times_, "frame");
+    const StageTimes::Scope scope(times_, "count");
     if (frames_++ == throw_at_) throw std::runtime_error("out of luck");
   }
   SceneGraph finish() override {
