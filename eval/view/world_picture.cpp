@@ -88,7 +88,7 @@ class ObjectTiles {
     style.floor_z_m = box.min().z();
     tiles_.push_back(renderPreview(
         {object}, camera_, previewPose(box, camera_, 35 * kDegrees, 22 * kDegrees, 1.15), style));
-    constexpr std::size_t kLongest = 23;  // what fits below a tile
+    constexpr std::size_t kLongest = 20;  // what fits below a tile
     names_.push_back(name.size() <= kLongest
                          ? name
                          : name.substr(0, kLongest - 6) + ".." + name.substr(name.size() - 4));
