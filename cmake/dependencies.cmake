@@ -25,3 +25,7 @@ find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED CONFIG)
+# Any libtorch: Debian's, or one that Torch_DIR or CMAKE_PREFIX_PATH points at (CUDA included).
+find_package(Torch REQUIRED QUIET)
+add_library(hydrabench_torch INTERFACE)
+target_link_libraries(hydrabench_torch INTERFACE ${TORCH_LIBRARIES})
