@@ -9,13 +9,10 @@
 
 #include "baselines/khronos/reobserved_objects.h"
 #include "core/config/config_reader.h"
-#include "core/mapping/active_window.h"
-#include "core/mapping/motion_detector.h"
-#include "core/objects/candidate_extractor.h"
 #include "core/objects/frame_buffer.h"
-#include "core/objects/max_iou_tracker.h"
 #include "core/objects/object_reconstruction.h"
 #include "core/pipeline/mapping_system.h"
+#include "core/pipeline/object_front_end.h"
 
 namespace hydrabench {
 
@@ -60,16 +57,7 @@ namespace hydrabench {
 class Khronos : public MappingSystem {
  public:
   /// As on uHumans2.
-  struct Config {
-    Config();
-    double min_range_m = 0.1;  ///< of the sensor
-    double max_range_m = 5;
-    /// Names of classes that move: kept out of the static map whether they move or not.
-    std::vector<std::string> dynamic_classes = {"human"};
-    ActiveWindow::Config window;
-    MotionDetector::Config motion;
-    CandidateExtractor::Config candidates;
-    MaxIouTracker::Config tracker;
+  struct Config : ObjectFrontEnd::Config {
     int buffer_frames = 300;            ///< at most; of those only what a track refers to
     double min_track_confidence = 0.5;  ///< strictly above, or the track is no object
     ObjectReconstruction::Config reconstruction;
@@ -84,25 +72,18 @@ class Khronos : public MappingSystem {
   std::vector<std::string> notes() const override;
   std::size_t numMovingTracks() const { return num_moving_tracks_; }  ///< that have ended
 
-  const ActiveWindow& window() const { return window_; }
+  const ActiveWindow& window() const { return front_end_.window(); }
 
  private:
-  void detectMotion(const SensorView& view);
-  Image<std::uint8_t> staticMapMask(const RgbdFrame& frame) const;
   void bufferFrame(const RgbdFrame& frame, FrameCandidates&& candidates);
   void extractObjects(const std::vector<Track>& ended);
 
   Config config_;
   LabelSpace label_space_;
-  std::vector<Label> dynamic_labels_;
-  ActiveWindow window_;
-  MotionDetector motion_detector_;
-  CandidateExtractor extractor_;
-  MaxIouTracker tracker_;
+  ObjectFrontEnd front_end_;
   FrameBuffer buffer_;
   ObjectReconstruction reconstruction_;
   ReobservedObjects objects_;
-  MotionDetection motion_;  ///< of the last frame
   std::uint64_t next_object_index_ = 0;
   std::size_t num_moving_tracks_ = 0;
   StageTimes times_;

@@ -81,12 +81,20 @@ NodePtr parse(const std::string& yaml, const SourcePtr& source) {
                            : Converter(source).convert(documents.front());
 }
 
+/// Whether both are maps that say what they are, and say different things: then no key of one means
+/// anything in the other.
+bool differInType(const Node& a, const Node& b) {
+  const NodePtr type_a = a.member("type");
+  const NodePtr type_b = b.member("type");
+  return type_a && type_b && type_a->text != type_b->text;
+}
+
 /// `over` on top of `under`. Keys keep the order of `under`, which is where a reader of the files
 /// looks first.
 NodePtr merged(const NodePtr& under, const NodePtr& over) {
   if (under->kind != Kind::kMap) return over;
   if (over->kind == Kind::kNull) return under;  // "noise:" with every line below commented out
-  if (over->kind != Kind::kMap) return over;
+  if (over->kind != Kind::kMap || differInType(*under, *over)) return over;
   auto result = std::make_shared<Node>(*over);
   result->members = under->members;
   for (const auto& [key, value] : over->members) {

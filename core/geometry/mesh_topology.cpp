@@ -7,26 +7,33 @@
 #include <cstdint>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace hydrabench {
 namespace {
 
 /// Of every vertex the first one at exactly the same position.
 std::vector<int> firstAtSamePosition(const Mesh& mesh) {
-  const auto position = [&](int i) {
-    const Eigen::Vector3d& v = mesh.vertices[static_cast<std::size_t>(i)];
-    return std::tuple(v.x(), v.y(), v.z());
+  struct Place {
+    double x, y, z;
+    int vertex;
   };
-  std::vector<int> order(mesh.vertices.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::tuple_cat(position(a), std::tuple(a)) < std::tuple_cat(position(b), std::tuple(b));
+  std::vector<Place> places;
+  places.reserve(mesh.vertices.size());
+  for (const Eigen::Vector3d& v : mesh.vertices) {
+    places.push_back({v.x(), v.y(), v.z(), static_cast<int>(places.size())});
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return std::tie(a.x, a.y, a.z, a.vertex) < std::tie(b.x, b.y, b.z, b.vertex);
   });
   std::vector<int> first(mesh.vertices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto vertex = static_cast<std::size_t>(order[i]);
-    const bool repeats = i > 0 && position(order[i]) == position(order[i - 1]);
-    first[vertex] = repeats ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+  int current = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Place& place = places[i];
+    const bool repeats = i > 0 && place.x == places[i - 1].x && place.y == places[i - 1].y &&
+                         place.z == places[i - 1].z;
+    if (!repeats) current = place.vertex;
+    first[static_cast<std::size_t>(place.vertex)] = current;
   }
   return first;
 }
@@ -67,31 +74,43 @@ struct HalfEdge {
   auto key() const { return std::pair(low, high); }
 };
 
-/// The part of `mesh` made of these faces, vertices in their first order.
-Mesh subMesh(const Mesh& mesh, const std::vector<std::size_t>& faces) {
-  std::vector<int> used;
-  used.reserve(3 * faces.size());
-  for (const std::size_t face : faces) {
-    used.insert(used.end(), mesh.faces[face].begin(), mesh.faces[face].end());
-  }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+/// Takes parts out of a mesh.
+class PartCutter {
+ public:
+  explicit PartCutter(const Mesh& mesh) : mesh_(mesh), place_(mesh.vertices.size(), kUnused) {}
 
-  Mesh part;
-  const bool has_colors = mesh.colors.size() == mesh.vertices.size();
-  part.vertices.reserve(used.size());
-  for (const int vertex : used) {
-    part.vertices.push_back(mesh.vertices[static_cast<std::size_t>(vertex)]);
-    if (has_colors) part.colors.push_back(mesh.colors[static_cast<std::size_t>(vertex)]);
+  /// The part made of these faces, vertices in their first order.
+  Mesh part(const std::vector<std::size_t>& faces) {
+    std::vector<int> used;
+    for (const std::size_t face : faces) {
+      for (const int vertex : mesh_.faces[face]) {
+        if (std::exchange(place_[static_cast<std::size_t>(vertex)], 0) == kUnused) {
+          used.push_back(vertex);
+        }
+      }
+    }
+    std::sort(used.begin(), used.end());
+
+    Mesh part;
+    const bool has_colors = mesh_.colors.size() == mesh_.vertices.size();
+    part.vertices.reserve(used.size());
+    for (const int used_vertex : used) {
+      const auto vertex = static_cast<std::size_t>(used_vertex);
+      place_[vertex] = static_cast<int>(part.vertices.size());
+      part.vertices.push_back(mesh_.vertices[vertex]);
+      if (has_colors) part.colors.push_back(mesh_.colors[vertex]);
+    }
+    part.faces.reserve(faces.size());
+    for (const std::size_t face : faces) part.faces.push_back(mapped(mesh_.faces[face], place_));
+    for (const int vertex : used) place_[static_cast<std::size_t>(vertex)] = kUnused;
+    return part;
   }
-  part.faces.reserve(faces.size());
-  for (const std::size_t face : faces) {
-    part.faces.emplace_back(mesh.faces[face].unaryExpr([&](int vertex) {
-      return static_cast<int>(std::lower_bound(used.begin(), used.end(), vertex) - used.begin());
-    }));
-  }
-  return part;
-}
+
+ private:
+  static constexpr int kUnused = -1;
+  const Mesh& mesh_;
+  std::vector<int> place_;  ///< of each vertex in the part at hand; all kUnused between parts
+};
 
 }  // namespace
 
@@ -147,7 +166,7 @@ Mesh welded(const Mesh& mesh) {
   }
   std::vector<std::size_t> all(merged.faces.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return subMesh(merged, all);
+  return PartCutter(merged).part(all);
 }
 
 std::vector<Mesh> connectedComponents(const Mesh& mesh) {
@@ -164,8 +183,9 @@ std::vector<Mesh> connectedComponents(const Mesh& mesh) {
     faces_of_set[sets.find(vertex)].push_back(i);
   }
   std::vector<Mesh> components;
+  PartCutter cutter(mesh);
   for (const std::vector<std::size_t>& faces : faces_of_set) {
-    if (!faces.empty()) components.push_back(subMesh(mesh, faces));
+    if (!faces.empty()) components.push_back(cutter.part(faces));
   }
   std::vector<double> areas;
   for (const Mesh& component : components) areas.push_back(surfaceArea(component));

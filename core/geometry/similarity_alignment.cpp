@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include "core/types/random.h"
@@ -90,6 +91,46 @@ std::optional<Similarity> alignSimilarity(Points source, Points target, bool wit
   const Eigen::Matrix3d R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   if (with_scale) similarity.scale = svd.singularValues().dot(signs) / source_spread;
   if (!(similarity.scale > 0)) return std::nullopt;
+  similarity.T_target_source.linear() = R;
+  similarity.T_target_source.translation() = target_mean - R * (similarity.scale * source_mean);
+  return similarity;
+}
+
+std::optional<Similarity> alignUpright(Points source, Points target, const Eigen::Vector3d& up) {
+  assert(source.size() == target.size() && std::abs(up.squaredNorm() - 1) < 1e-6);
+  if (source.size() < 2) return std::nullopt;
+  const Eigen::Matrix3d R_target_level =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
+  const Eigen::Vector3d source_mean = meanOf(source);
+  const Eigen::Vector3d target_mean = meanOf(target);
+  // trace of the covariance after a turn by yaw: cosine * cos(yaw) + sine * sin(yaw) + vertical
+  double cosine = 0;
+  double sine = 0;
+  double vertical = 0;
+  double source_spread = 0;
+  double source_across = 0;
+  double target_across = 0;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const Eigen::Vector3d p = source[i] - source_mean;
+    const Eigen::Vector3d q = R_target_level.transpose() * (target[i] - target_mean);
+    cosine += p.x() * q.x() + p.y() * q.y();
+    sine += p.x() * q.y() - p.y() * q.x();
+    vertical += p.z() * q.z();
+    source_spread += p.squaredNorm();
+    source_across += p.head<2>().squaredNorm();
+    target_across += q.head<2>().squaredNorm();
+  }
+  const double horizontal = std::hypot(cosine, sine);
+  if (!std::isfinite(horizontal + vertical + source_spread)) return std::nullopt;
+  // Points above each other leave the yaw open; the bound is as in alignSimilarity.
+  if (!(source_across > 1e-16 * source_spread)) return std::nullopt;
+  if (!(horizontal > 1e-8 * std::sqrt(source_across * target_across))) return std::nullopt;
+
+  Similarity similarity;
+  similarity.scale = (horizontal + vertical) / source_spread;
+  if (!(similarity.scale > 0)) return std::nullopt;
+  const Eigen::AngleAxisd yaw(std::atan2(sine, cosine), Eigen::Vector3d::UnitZ());
+  const Eigen::Matrix3d R = R_target_level * yaw.toRotationMatrix();
   similarity.T_target_source.linear() = R;
   similarity.T_target_source.translation() = target_mean - R * (similarity.scale * source_mean);
   return similarity;

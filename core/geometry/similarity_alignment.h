@@ -29,6 +29,13 @@ std::optional<Similarity> alignSimilarity(std::span<const Eigen::Vector3d> sourc
                                           std::span<const Eigen::Vector3d> target,
                                           bool with_scale = true);
 
+/// As alignSimilarity, but among the similarities that turn the source's z axis to `up`, in closed
+/// form: yaw, scale and translation. Needs 2 points that are not above each other.
+/// @param up  unit vector in the frame of the target
+std::optional<Similarity> alignUpright(std::span<const Eigen::Vector3d> source,
+                                       std::span<const Eigen::Vector3d> target,
+                                       const Eigen::Vector3d& up);
+
 struct RobustAlignment {
   Similarity similarity;
   std::vector<std::size_t> inliers;  ///< ascending

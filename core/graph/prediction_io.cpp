@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
+#include "core/graph/candidate_io.h"
 #include "core/graph/json_text.h"
 #include "core/graph/spark_dsg_json.h"
 #include "core/io/atomic_file.h"
@@ -43,6 +44,7 @@ Prediction readPrediction(const fs::path& path) {
       }
     }
   }
+  if (graph_file.filename() == kGraphFile) prediction.candidates = readCandidates(folder);
   return prediction;
 }
 
@@ -53,6 +55,7 @@ void fillPredictionFolder(const fs::path& folder, const Prediction& prediction) 
   for (const std::string& note : prediction.notes) json.value(note);
   json.endArray().endObject().newline();
   writeFileAtomic(folder / kPredictionFile, json.text());
+  if (!prediction.candidates.empty()) writeCandidates(folder, prediction.candidates);
 }
 
 void writePrediction(const fs::path& folder, const Prediction& prediction) {

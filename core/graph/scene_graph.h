@@ -9,6 +9,7 @@
 
 #include "core/geometry/mesh.h"
 #include "core/geometry/transform.h"
+#include "core/graph/shape_candidate.h"
 #include "core/types/ids.h"
 #include "core/types/label_space.h"
 
@@ -40,6 +41,7 @@ struct Prediction {
   SceneGraph graph;
   std::string method;              ///< name of the method that made it, as it appears in tables
   std::vector<std::string> notes;  ///< what a reader of the table must know of the method
+  std::vector<ShapeCandidate> candidates;  ///< of a method that estimates shapes
 };
 
 }  // namespace hydrabench

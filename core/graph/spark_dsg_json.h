@@ -23,8 +23,8 @@ void writeSparkDsg(const std::filesystem::path& path, const SceneGraph& graph);
 /// Node id with the symbol of the objects layer: ('O' << 56) | index.
 ObjectId objectNodeId(std::uint64_t index);
 
-/// Prediction folder: scene_graph.json (and prediction.json with the method's name). A bare
-/// scene_graph.json is accepted as well.
+/// Prediction folder: scene_graph.json (and prediction.json with the method's name, and the
+/// candidates, see candidate_io.h). A bare scene_graph.json is accepted as well.
 Prediction readPrediction(const std::filesystem::path& path);
 void writePrediction(const std::filesystem::path& folder, const Prediction& prediction);
 /// The same into a folder that the caller makes appear.

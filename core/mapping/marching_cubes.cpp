@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/geometry/cube_contours.h"
-#include "core/mapping/cube_triangles.h"
+#include "core/geometry/cube_triangles.h"
 
 namespace hydrabench {
 namespace {

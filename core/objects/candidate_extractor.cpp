@@ -77,6 +77,7 @@ std::vector<ObjectCandidate> CandidateExtractor::labelled(const RgbdFrame& frame
     const std::int32_t value = kinds[group.kind - 1];
     ObjectCandidate& candidate = candidates.emplace_back();
     candidate.label = by_instance ? frame.instance_labels.at(value) : value;
+    if (by_instance) candidate.instance = value;
     candidate.pixels = std::move(group.pixels);
   }
   return candidates;

@@ -125,6 +125,10 @@ class Association {
 
   double overlap(const Track& track, const std::vector<std::uint32_t>& track_pixels,
                  const ObjectCandidate& candidate) const {
+    if (config_.track_by == "instances") {
+      const bool same = candidate.instance == track.last_instance;
+      return same && candidate.instance != kNoInstance ? 1.0 : 0.0;
+    }
     if (config_.track_by == "boxes") return boxIou(track.lastBox(), candidate.box);
     if (config_.track_by == "pixels") {
       return sortedSetIou(track_pixels, candidate.pixels, std::less<>());
@@ -141,6 +145,7 @@ class Association {
                                   .box = candidate.box,
                                   .centroid = candidate.centroid,
                                   .pixels = candidate.pixels.size()});
+    track.last_instance = candidate.instance;
     track.last_voxels = candidate.voxels;
     if (config_.track_by != "pixels") return;
     const PixelPoints points(view_);
@@ -213,7 +218,7 @@ double MaxIouTracker::confidence(const Track& track) const {
 }
 
 void read(ConfigReader& reader, MaxIouTracker::Config& config) {
-  reader.choice("track_by", config.track_by, {"voxels", "pixels", "boxes"});
+  reader.choice("track_by", config.track_by, {"voxels", "pixels", "boxes", "instances"});
   reader.field("min_same_label_iou", config.min_same_label_iou, Bounds{0, 1});
   reader.field("min_cross_iou", config.min_cross_iou, Bounds{0, 1});
   reader.field("max_dynamic_distance_m", config.max_dynamic_distance_m, Bounds{0, 1000});

@@ -29,6 +29,7 @@ struct Track {
   Label label = kUnknownLabel;
   bool dynamic = false;
   std::vector<Observation> observations;
+  InstanceId last_instance = kNoInstance;
   std::vector<GlobalVoxel> last_voxels;
   std::vector<Eigen::Vector3d> last_points;  ///< world [m]; only when tracking by pixels
 
@@ -58,7 +59,8 @@ class MaxIouTracker {
  public:
   struct Config {
     /// What the overlap is counted in. voxels: of the candidates' grid. pixels: the points of the
-    /// last observation, projected into the current image. boxes: volumes.
+    /// last observation, projected into the current image. boxes: volumes. instances: 1 where the
+    /// instance id is the same, for data whose ids persist from frame to frame.
     std::string track_by = "voxels";
     double min_same_label_iou = 0.25;  ///< strictly above
     double min_cross_iou = 0.1;        ///< strictly above

@@ -25,6 +25,7 @@ struct ObjectCandidate {
   std::uint16_t id = 0;  ///< its number in the id image of the frame, from 1
   Label label = kUnknownLabel;
   bool dynamic = false;               ///< found by motion, not by its class
+  InstanceId instance = kNoInstance;  ///< in the frame it is from; kNoInstance for other sources
   std::vector<std::uint32_t> pixels;  ///< row-major indices, ascending; all of them measured
   ImageRegion region;                 ///< around its pixels
   std::vector<GlobalVoxel> voxels;    ///< of the tracker's grid, sorted by IndexLess, unique

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/graph/scene_graph.h"
+#include "core/graph/shape_candidate.h"
 #include "core/pipeline/stage_times.h"
 #include "core/types/frame.h"
 
@@ -25,6 +26,8 @@ class MappingSystem {
   virtual const StageTimes& stageTimes() const = 0;
   /// Remarks a reader of the table must know, e.g. a rule that the method's authors left open.
   virtual std::vector<std::string> notes() const { return {}; }
+  /// Hands over the record of every shape that was estimated, accepted or not; after finish().
+  virtual std::vector<ShapeCandidate> takeCandidates() { return {}; }
 };
 
 }  // namespace hydrabench

@@ -16,10 +16,10 @@ namespace hydrabench {
 /// Pose of an object from normalised object coordinates (NOCS) of its points: RANSAC over few
 /// correspondences, then Umeyama on the inliers (CRISP, Shi et al. 2025; Wang et al., CVPR 2019).
 struct NocsPoseConfig {
-  int min_points = 5;             ///< fewer correspondences give no pose
-  int sample_size = 5;            ///< of a hypothesis
+  int min_points = 5;   ///< fewer correspondences give no pose
+  int sample_size = 5;  ///< of a hypothesis
   int max_iterations = 100;
-  double confidence = 0.99;       ///< of having drawn one sample without outliers
+  double confidence = 0.99;  ///< of having drawn one sample without outliers
   /// Residual of an inlier, share of the diameter of the object as it is placed. CRISP has 0.1; the
   /// refits tighten it to final_threshold.
   double threshold = 0.1;
@@ -41,15 +41,15 @@ struct NocsPose {
   double inlier_ratio = 0;  ///< of all correspondences, at final_threshold
 };
 
-/// Deterministic for a seed. nullopt where there are too few points, where they do not fix a pose or
-/// too few agree, or where a value is not finite.
+/// Deterministic for a seed. nullopt where there are too few points, where they do not fix a pose
+/// or too few agree, or where a value is not finite.
 /// @param nocs    object coordinates, one per point
 /// @param points  [m]
 /// @param up      unit vector in the frame of `points` that the object's z axis points along; used
 ///                with kUpright only
 std::optional<NocsPose> solveNocsPose(std::span<const Eigen::Vector3d> nocs,
-                                      std::span<const Eigen::Vector3d> points,
-                                      NocsFreedom freedom, const Eigen::Vector3d& up,
-                                      const NocsPoseConfig& config, std::uint64_t seed);
+                                      std::span<const Eigen::Vector3d> points, NocsFreedom freedom,
+                                      const Eigen::Vector3d& up, const NocsPoseConfig& config,
+                                      std::uint64_t seed);
 
 }  // namespace hydrabench

@@ -44,8 +44,9 @@ struct ShapeEstimate {
 /// An estimate, or why there is none.
 struct ShapeOutcome {
   std::optional<ShapeEstimate> estimate;
-  std::string failure;  ///< a few words, the same for all failures of a kind; empty with an estimate
-  StageTimes times;     ///< of the stages of this call
+  std::string
+      failure;       ///< a few words, the same for all failures of a kind; empty with an estimate
+  StageTimes times;  ///< of the stages of this call
 };
 
 /// Turns a view of an object into a mesh and a pose. The pipeline does not care which one it talks

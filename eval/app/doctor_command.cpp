@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 
 #include "core/geometry/raycaster.h"
 #include "core/parallel/parallel_for.h"
+#include "core/shape/crisp/blas_kernel.h"
+#include "core/shape/crisp/torch_runtime.h"
 #include "eval/app/app.h"
 #include "eval/experiment/provenance.h"
 
@@ -29,6 +32,38 @@ bool raysHit() {
   const Raycaster::Hit hit =
       raycaster.intersect({Eigen::Vector3f(0.1f, 0.2f, 0), Eigen::Vector3f::UnitZ()});
   return hit && std::abs(hit.distance - 1.0f) < 1e-6f;
+}
+
+std::string listOf(const CpuFeatures& cpu) {
+  std::string list;
+  const auto add = [&](bool there, const char* name) {
+    if (there) list += (list.empty() ? "" : ", ") + std::string(name);
+  };
+  add(cpu.avx2, "AVX2");
+  add(cpu.avx512, "AVX-512");
+  add(cpu.bf16, "bf16");
+  add(cpu.amx, "AMX");
+  return list.empty() ? "none of AVX2, AVX-512, bf16, AMX" : list;
+}
+
+/// What the learned shapes compute with: libtorch, and the BLAS below it, which decides their
+/// speed.
+void reportMatrixProducts(const std::function<void(const std::string&, const std::string&)>& line) {
+  line("libtorch", torchVersion() + (torchSeesCuda() ? ", with a GPU" : ", without GPU"));
+  const CpuFeatures cpu = cpuFeatures();
+  line("vector units", listOf(cpu));
+  const std::string kernel = blasKernel();
+  const double rate = matrixProductRate(0.5);
+  line("matrix products",
+       fmt::format("{}, {:.0f} GFLOP/s on one thread",
+                   kernel.empty() ? "not OpenBLAS" : "OpenBLAS, kernel " + kernel, rate));
+  const std::string faster = fastestKernel(cpu);
+  if (isSlowKernel(kernel, cpu)) {
+    line("", fmt::format("WARNING: a slow fallback for this processor; set OPENBLAS_CORETYPE={}",
+                         faster));
+  } else if (kernel.empty() && !faster.empty()) {
+    line("", "WARNING: most likely slow; install libopenblas0-openmp (scripts/setup does)");
+  }
 }
 
 int doctor() {
@@ -51,6 +86,7 @@ int doctor() {
         error ? error.message()
               : fmt::format("{:.1f} GiB free", static_cast<double>(space.available) / (1 << 30)));
   check("ray casting", raysHit(), "Embree");
+  reportMatrixProducts(line);
 
   // What is missing below costs a comparison or a dataset, not the tool.
   const char* data = std::getenv("HYDRABENCH_DATA");
@@ -58,7 +94,7 @@ int doctor() {
                                ? data
                                : "none: set HYDRABENCH_DATA to its folder for the servicesim, "
                                  "7-Scenes and APC datasets");
-  for (const char* module : {"scipy", "open3d"}) {
+  for (const char* module : {"scipy", "open3d", "torch"}) {
     line(fmt::format("python3-{}", module),
          commandSucceeds(fmt::format("/usr/bin/python3 -c 'import {}'", module))
              ? "there: tests compare against it"

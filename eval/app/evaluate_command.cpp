@@ -62,6 +62,7 @@ int evaluate(const Options& options) {
 
   Result result;
   result.config = setup.resolved_config;
+  result.evaluation = setup.evaluation;
   result.provenance = currentProvenance(commandLine());
   const Evaluator evaluator(dataset.name(), std::to_string(dataset.seed()), dataset.labelSpace(),
                             dataset.groundTruth(), setup.evaluation);
@@ -77,7 +78,9 @@ int evaluate(const Options& options) {
   for (const MethodEvaluation& method : result.evaluations) printRemarks(method);
   fmt::print("{}", renderTerminal(comparisonTable(allScores(result), kAllMicro, result.notes),
                                   isatty(STDOUT_FILENO) == 1));
-  writeResult(folder, result);
+  for (const std::string& remark : writeResult(folder, result)) {
+    fmt::print(stderr, "{}\n", remark);
+  }
   fmt::print("wrote {}\n", options.out.string());
   return kDone;
 }

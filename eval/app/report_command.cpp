@@ -12,6 +12,7 @@
 #include "eval/app/app.h"
 #include "eval/report/comparison_table.h"
 #include "eval/report/result_folder.h"
+#include "eval/report/variant_table.h"
 
 namespace hydrabench {
 namespace {
@@ -21,6 +22,8 @@ struct Options {
   std::filesystem::path out;
   std::string format = "terminal";
   std::string class_name = kAllMicro;
+  bool variants = false;
+  std::string against;
 };
 
 std::string render(const ComparisonTable& table, const std::string& format, bool color) {
@@ -31,28 +34,50 @@ std::string render(const ComparisonTable& table, const std::string& format, bool
   return renderTerminal(table, color);
 }
 
-int report(const Options& options) {
-  const std::filesystem::path scores = options.result / "scores.csv";
-  if (std::filesystem::exists(options.result / kResultMarker) && !std::filesystem::exists(scores)) {
-    throw InputError(fmt::format("{}: nothing was scored here: its datasets have no ground truth",
-                                 options.result.string()));
-  }
-  const std::vector<ScoreRow> rows = readScoresCsv(scores);
-  const ComparisonTable table =
-      comparisonTable(rows, options.class_name, readNotes(options.result));
-  if (table.blocks.empty()) {
-    throw InputError(
-        fmt::format("{}: no scores of class '{}'; --class takes a class of that file, {} or {}",
-                    scores.string(), options.class_name, kAllMicro, kAllMacro));
-  }
-  const bool color = options.out.empty() && isatty(STDOUT_FILENO) == 1;
-  const std::string text = render(table, options.format, color);
+void deliver(const std::string& text, const Options& options) {
   if (options.out.empty()) {
     fmt::print("{}", text);
   } else {
     writeFileAtomic(options.out, text);
     fmt::print("wrote {}\n", options.out.string());
   }
+}
+
+int reportVariants(const Options& options) {
+  const std::filesystem::path path = options.result / "variants.csv";
+  std::vector<VariantRow> rows = readVariantsCsv(path);
+  if (options.class_name != kAllMicro) {
+    std::erase_if(rows,
+                  [&](const VariantRow& row) { return row.class_name != options.class_name; });
+  }
+  if (rows.empty()) {
+    throw InputError(fmt::format(
+        "{}: no variants{}: this dataset does not name them", path.string(),
+        options.class_name == kAllMicro ? "" : " of class '" + options.class_name + "'"));
+  }
+  deliver(options.format == "csv" ? renderVariantsCsv(rows) : renderVariantsMarkdown(rows),
+          options);
+  return kDone;
+}
+
+int report(const Options& options) {
+  const std::filesystem::path scores = options.result / "scores.csv";
+  if (std::filesystem::exists(options.result / kResultMarker) && !std::filesystem::exists(scores)) {
+    throw InputError(fmt::format("{}: nothing was scored here: its datasets have no ground truth",
+                                 options.result.string()));
+  }
+  if (options.variants) return reportVariants(options);
+  const std::vector<ScoreRow> rows = readScoresCsv(scores);
+  ComparisonTable table = comparisonTable(rows, options.class_name, readNotes(options.result));
+  if (table.blocks.empty()) {
+    throw InputError(
+        fmt::format("{}: no scores of class '{}'; --class takes a class of that file, {} or {}",
+                    scores.string(), options.class_name, kAllMicro, kAllMacro));
+  }
+  if (!options.against.empty()) table = differencesTo(table, options.against);
+  const bool color = options.out.empty() && isatty(STDOUT_FILENO) == 1;
+  const std::string text = render(table, options.format, color);
+  deliver(text, options);
   return kDone;
 }
 
@@ -69,6 +94,11 @@ Command addReport(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--class", options->class_name, "class to print, all_micro (pooled) or all_macro")
       ->capture_default_str();
+  app.add_flag("--variants", options->variants,
+               "a row for every shape variant and method instead; md or csv");
+  app.add_option("--against", options->against,
+                 "print every value less that of this method: what a change gains or costs")
+      ->type_name("METHOD");
   app.add_option("--out", options->out, "file to write instead of printing")->type_name("FILE");
   return [options] { return report(*options); };
 }

@@ -75,7 +75,9 @@ int run(const Options& options) {
     writeFileAtomic(folder.temporary() / "failures.txt",
                     fmt::format("{}\n", fmt::join(outcome.failures, "\n")));
   }
-  writeResult(folder, result);
+  for (const std::string& remark : writeResult(folder, result)) {
+    fmt::print(stderr, "{}\n", remark);
+  }
   fmt::print("wrote {}\n", options.out.string());
   if (outcome.failures.empty()) return kDone;
   fmt::print(stderr, "{} failed; see failures.txt\n", outcome.failures.size());

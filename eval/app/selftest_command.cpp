@@ -50,8 +50,11 @@ int selftest(const Options& options) {
     Result result;
     result.evaluations.push_back(std::move(report.ground_truth));
     result.config = setup.resolved_config;
+    result.evaluation = setup.evaluation;
     result.provenance = currentProvenance(commandLine());
-    writeResult(*folder, result);
+    for (const std::string& remark : writeResult(*folder, result)) {
+      fmt::print(stderr, "{}\n", remark);
+    }
     fmt::print("wrote {}\n", options.out.string());
   }
   if (!options.prediction.empty()) {

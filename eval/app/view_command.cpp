@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,9 +15,14 @@
 #include "core/types/error.h"
 #include "eval/app/app.h"
 #include "eval/datasets/open_dataset.h"
+#include "eval/experiment/result_worlds.h"
+#include "eval/experiment/tau_o_sweep.h"
+#include "eval/report/comparison_table.h"
 #include "eval/simulation/contact_sheet.h"
 #include "eval/simulation/simulated_dataset.h"
+#include "eval/view/error_picture.h"
 #include "eval/view/frame_picture.h"
+#include "eval/view/rejection_picture.h"
 #include "eval/view/world_picture.h"
 
 namespace hydrabench {
@@ -30,6 +36,9 @@ struct Options {
   bool families = false;
   int instances = 5;
   std::uint64_t seed = 1;
+  bool heatmaps = false;
+  bool rejections = false;
+  std::size_t objects = 12;
 };
 
 void save(const std::filesystem::path& path, const Image<Rgb>& picture) {
@@ -81,6 +90,49 @@ void viewPrediction(const Options& options) {
   if (has_meshes) save(options.out / "objects.png", objectSheet(graph));
 }
 
+/// Colour images by stamp; for datasets whose poses say which stamps there are.
+ColorAt colorAt(const Dataset& dataset) {
+  std::map<std::int64_t, std::size_t> index_of;
+  const std::vector<StampedPose>& poses = dataset.groundTruth().trajectory;
+  for (std::size_t i = 0; i < poses.size(); ++i) index_of.emplace(poses[i].stamp_ns, i);
+  return [&dataset, index_of](std::int64_t stamp_ns) {
+    const auto found = index_of.find(stamp_ns);
+    return found == index_of.end() ? Image<Rgb>() : dataset.frame(found->second).color;
+  };
+}
+
+/// What every method made of the objects of a world, and what each turned down.
+void viewWorld(const Options& options, const ResultWorld& world) {
+  const OpenedDataset opened = world.open();
+  const Dataset& dataset = *opened.dataset;
+  std::vector<Prediction> predictions;
+  std::vector<std::string> labels;
+  for (const std::filesystem::path& path : world.predictions) {
+    predictions.push_back(readPrediction(path));
+    labels.push_back(methodLabel(predictions.back().method));
+  }
+  if (options.heatmaps) {
+    save(options.out / fmt::format("errors_{}.png", world.label()),
+         errorPicture(compareObjects(dataset.groundTruth(), predictions, options.objects), labels));
+  }
+  for (std::size_t m = 0; options.rejections && m < predictions.size(); ++m) {
+    if (predictions[m].candidates.empty()) continue;
+    const Image<Rgb> picture =
+        rejectionPicture(predictions[m].candidates, dataset.labelSpace(), colorAt(dataset),
+                         readDecisionOf(world.predictions[m]).rmcc);
+    if (picture.empty()) {
+      fmt::print("{}, {}: nothing was rejected\n", world.label(), predictions[m].method);
+      continue;
+    }
+    save(options.out / fmt::format("rejections_{}_{}.png", world.label(), predictions[m].method),
+         picture);
+  }
+}
+
+void viewResult(const Options& options) {
+  for (const ResultWorld& world : resultWorlds(options.source)) viewWorld(options, world);
+}
+
 int view(const Options& options) {
   if (options.families) {
     save(options.out / "families.png",
@@ -93,10 +145,15 @@ int view(const Options& options) {
   const std::string extension = options.source.extension().string();
   const bool is_dataset = extension == ".yaml" || extension == ".yml" ||
                           std::filesystem::exists(options.source / "dataset.yaml");
+  if (options.heatmaps || options.rejections) {
+    viewResult(options);
+    return kDone;
+  }
   if (std::filesystem::exists(options.source / "predictions")) {
-    throw InputError(fmt::format("{}: a result folder, expected one of its predictions: {}",
-                                 options.source.string(),
-                                 (options.source / "predictions/DATASET/SEED/METHOD").string()));
+    throw InputError(fmt::format(
+        "{}: a result folder, expected --heatmaps, --rejections or one of "
+        "its predictions: {}",
+        options.source.string(), (options.source / "predictions/DATASET/SEED/METHOD").string()));
   }
   if (is_dataset) {
     viewDataset(options);
@@ -110,8 +167,10 @@ int view(const Options& options) {
 
 Command addView(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("source", options->source,
-                 "dataset (.yaml or exported folder), prediction folder or scene_graph.json")
+  app.add_option(
+         "source", options->source,
+         "dataset (.yaml or exported folder), prediction folder or scene_graph.json; result "
+         "folder")
       ->type_name("SOURCE");
   app.add_option("--out", options->out, "folder for the PNG files")->required()->type_name("DIR");
   app.add_option("--frames", options->frames, "frames to show, spread over the sequence")
@@ -124,13 +183,20 @@ Command addView(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--seed", options->seed, "with --families: seed of the instances")
       ->capture_default_str();
+  app.add_flag("--heatmaps", options->heatmaps,
+               "of a result of 'run': objects and errors of all methods, side by side");
+  app.add_flag("--rejections", options->rejections,
+               "of a result of 'run': the estimates that the consistency check turned down");
+  app.add_option("--objects", options->objects, "with --heatmaps: objects of each world")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   addOverrides(app, options->overrides, "seed=7");
   app.footer(
       "Of a dataset: overview.png, objects.png, frame_*.png (colour, depth, instances) and, for "
       "generated worlds, masks_*.png (colour,\n"
       "true instances, instances as a method sees them). Of a prediction: prediction.png (objects "
       "in the colours of their\n"
-      "classes), scene_mesh.png, objects.png.");
+      "classes), scene_mesh.png, objects.png. Of a result: errors_*.png, rejections_*.png.");
   return [options] { return view(*options); };
 }
 

@@ -110,11 +110,23 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
       ignored_.push_back(all[i].detection);
     }
   }
+  truth_detections_ = detections(truths_);
   if (truths_.empty()) {
     throw InputError(fmt::format(
         "dataset '{}': ground truth: no object that counts (of {}), expected at least one",
         dataset_name_, truth.objects.size()));
   }
+}
+
+bool Evaluator::isCounted(const DetectionObject& estimate) const {
+  const LabelSpace::Entry* entry = label_space_.find(estimate.label);
+  if (!entry || !entry->is_scored) return false;
+  const auto ignored = nearestOfClass(estimate, ignored_);
+  if (!ignored) return true;
+  const double distance = (ignored_[*ignored].center - estimate.center).norm();
+  if (!(distance < ignored_[*ignored].half_diagonal)) return true;
+  const auto counted = nearestOfClass(estimate, truth_detections_);
+  return counted && !(distance < (truth_detections_[*counted].center - estimate.center).norm());
 }
 
 MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
@@ -148,19 +160,10 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
     all[i] = scoredObject(node.id, *entries[i], node.name, box, *models[i]);
   });
   // An estimate of something that does not count is neither right nor wrong.
-  const std::vector<DetectionObject> truths = detections(truths_);
+  const std::vector<DetectionObject>& truths = truth_detections_;
   std::vector<const ObjectModel*> estimate_models;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const DetectionObject& estimate = all[i].detection;
-    const auto ignored = nearestOfClass(estimate, ignored_);
-    bool excused = false;
-    if (ignored) {
-      const double distance = (ignored_[*ignored].center - estimate.center).norm();
-      const auto counted = nearestOfClass(estimate, truths);
-      excused = distance < ignored_[*ignored].half_diagonal &&
-                (!counted || distance < (truths[*counted].center - estimate.center).norm());
-    }
-    if (excused) continue;
+    if (!isCounted(all[i].detection)) continue;
     evaluation.estimates.push_back(std::move(all[i]));
     estimate_models.push_back(models[i].get());
   }

@@ -81,6 +81,9 @@ class Evaluator {
   MethodEvaluation evaluate(const Prediction& prediction) const;
 
   const std::vector<ScoredObject>& truths() const { return truths_; }
+  /// Whether an estimate counts at all: its class is scored, and it does not stand for ground truth
+  /// that is neither found nor missed.
+  bool isCounted(const DetectionObject& estimate) const;
 
  private:
   std::string dataset_name_;
@@ -89,6 +92,7 @@ class Evaluator {
   EvaluationConfig config_;
   std::vector<ScoredObject> truths_;
   std::vector<std::shared_ptr<const ObjectModel>> truth_models_;
+  std::vector<DetectionObject> truth_detections_;  ///< of truths_
   std::vector<DetectionObject> ignored_;
 };
 

@@ -78,7 +78,9 @@ void append(const std::vector<std::string>& more, std::vector<std::string>& list
   list.insert(list.end(), more.begin(), more.end());
 }
 
-std::vector<ExperimentConfig::DatasetEntry> readDatasets(
+}  // namespace
+
+std::vector<ExperimentConfig::DatasetEntry> readDatasetEntries(
     ConfigReader& reader, const std::vector<std::string>& overrides) {
   std::vector<ExperimentConfig::DatasetEntry> entries;
   std::set<std::pair<std::filesystem::path, std::string>> known;
@@ -106,6 +108,8 @@ std::vector<ExperimentConfig::DatasetEntry> readDatasets(
   }
   return entries;
 }
+
+namespace {
 
 struct MethodEntry {
   std::filesystem::path config;
@@ -204,7 +208,7 @@ ExperimentConfig readExperiment(const std::filesystem::path& config,
   int max_frames = 0;
   reader.field("max_frames", max_frames, {0, 1e9});
   experiment.max_frames = static_cast<std::size_t>(max_frames);
-  experiment.datasets = readDatasets(reader, overrides.datasets);
+  experiment.datasets = readDatasetEntries(reader, overrides.datasets);
   const std::vector<MethodEntry> method_entries = readMethodEntries(reader);
   auto evaluation = reader.section("evaluation");
   read(evaluation, experiment.evaluation);

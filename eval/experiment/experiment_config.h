@@ -49,6 +49,11 @@ struct ExperimentConfig {
   std::string resolved_config;  ///< YAML of the experiment; datasets and methods have their own
 };
 
+/// The list `datasets` of an experiment, which other studies have too.
+/// @param overrides  key=value, for every dataset
+std::vector<ExperimentConfig::DatasetEntry> readDatasetEntries(
+    ConfigReader& reader, const std::vector<std::string>& overrides);
+
 /// Throws InputError, also for what is wrong in the files of methods; a dataset's are read when it
 /// is opened.
 /// @param overrides  "dataset.KEY=VALUE" for every dataset, "methods.NAME.KEY=VALUE" for a method,

@@ -51,7 +51,7 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
     runs[m].method = methods[m].name;
     runs[m].config = methods[m].resolved_config;
     try {
-      workers[m].system = methods[m].start(dataset.labelSpace());
+      workers[m].system = methods[m].start(dataset);
     } catch (const InputError&) {
       throw;  // wrong settings are the user's to mend before anything is mapped
     } catch (const std::exception& error) {
@@ -92,6 +92,7 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
         prediction.graph = worker.system->finish();
       }
       prediction.notes = worker.system->notes();
+      prediction.candidates = worker.system->takeCandidates();
       if (prediction.graph.label_space.entries.empty()) {
         prediction.graph.label_space = dataset.labelSpace();
       }

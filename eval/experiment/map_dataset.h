@@ -43,8 +43,8 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
 
 inline constexpr const char* kTimingFile = "timing.csv";
 
-/// Writes scene_graph.json, prediction.json, timing.csv and config.yaml into `folder`: a prediction
-/// as `evaluate` reads it. The run must not have failed.
+/// Writes scene_graph.json, prediction.json, candidates if there are any, timing.csv and
+/// config.yaml into `folder`: a prediction as `evaluate` reads it. The run must not have failed.
 void fillRunFolder(const std::filesystem::path& folder, const MethodRun& run);
 
 }  // namespace hydrabench

@@ -3,6 +3,8 @@
 #include "eval/experiment/method_table.h"
 
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +13,12 @@
 #include "baselines/template_cad/template_cad.h"
 #include "core/config/config_reader.h"
 #include "core/config/plain_name.h"
+#include "core/pipeline/hydra_plus_plus.h"
+#include "eval/experiment/estimator_table.h"
+#include "eval/oracles/oracle_frames.h"
+#include "eval/oracles/shape_oracle.h"
+#include "eval/oracles/true_instances.h"
+#include "eval/oracles/view_oracle.h"
 
 namespace hydrabench {
 namespace {
@@ -27,8 +35,44 @@ template <typename System>
 Start readSystem(ConfigReader& reader) {
   typename System::Config config;
   read(reader, config);
-  return [config](const LabelSpace& label_space) -> std::unique_ptr<MappingSystem> {
-    return std::make_unique<System>(config, label_space);
+  return [config](const Dataset& dataset) -> std::unique_ptr<MappingSystem> {
+    return std::make_unique<System>(config, dataset.labelSpace());
+  };
+}
+
+/// Stages that are told the truth.
+struct Oracles {
+  OracleFrames::Mends frames;
+  bool view = false;
+  bool shape = false;  ///< in place of the estimator, whichever is configured
+  bool any() const { return frames.masks || frames.association || view || shape; }
+};
+
+Start readHydraPlusPlus(ConfigReader& reader) {
+  HydraPlusPlus::Config config;
+  read(reader, config);
+  auto estimator_section = reader.section("estimator");
+  const EstimatorStart startEstimator = readEstimator(estimator_section);
+  auto oracle_section = reader.section("oracle");
+  Oracles oracles;
+  oracle_section.field("masks", oracles.frames.masks);
+  oracle_section.field("association", oracles.frames.association);
+  oracle_section.field("view", oracles.view);
+  oracle_section.field("shape", oracles.shape);
+  return [=](const Dataset& dataset) -> std::unique_ptr<MappingSystem> {
+    std::shared_ptr<const TrueInstances> truth;
+    if (oracles.any()) truth = std::make_shared<const TrueInstances>(dataset.groundTruth());
+    std::shared_ptr<const ShapeEstimator> estimator;
+    if (oracles.shape) {
+      estimator = std::make_shared<ShapeOracle>(truth);
+    } else {
+      estimator = startEstimator(dataset);
+    }
+    if (oracles.view) estimator = std::make_shared<ViewOracle>(std::move(estimator), truth);
+    std::unique_ptr<MappingSystem> system =
+        std::make_unique<HydraPlusPlus>(config, dataset.labelSpace(), std::move(estimator));
+    if (!oracles.frames.masks && !oracles.frames.association) return system;
+    return std::make_unique<OracleFrames>(std::move(system), truth, oracles.frames);
   };
 }
 
@@ -36,6 +80,7 @@ constexpr MethodType kTypes[] = {
     {"hydra", readSystem<Hydra>},
     {"khronos", readSystem<Khronos>},
     {"template_cad", readSystem<TemplateCad>},
+    {"hydra_plus_plus", readHydraPlusPlus},
 };
 
 /// Needs a type of the table.

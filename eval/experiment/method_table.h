@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/pipeline/mapping_system.h"
-#include "core/types/label_space.h"
+#include "eval/datasets/dataset.h"
 
 namespace hydrabench {
 
@@ -17,8 +17,9 @@ namespace hydrabench {
 struct MethodConfig {
   std::string name;             ///< as it appears in tables and files
   std::string resolved_config;  ///< YAML with every key at its value
-  /// A fresh system, told the classes of a dataset and nothing else of it.
-  std::function<std::unique_ptr<MappingSystem>(const LabelSpace&)> start;
+  /// A fresh system. Methods are told the classes of the dataset and nothing else of it; oracles
+  /// (eval/oracles), which replace a stage by the truth, see its ground truth.
+  std::function<std::unique_ptr<MappingSystem>(const Dataset&)> start;
 };
 
 /// Reads configs/methods/*.yaml; its `type` picks the method from one table. `overrides` are

@@ -25,6 +25,7 @@ class ExperimentRun {
   ExperimentRun(const ExperimentConfig& experiment, std::filesystem::path folder,
                 const ExperimentEvents& events)
       : experiment_(experiment), folder_(std::move(folder)), events_(events) {
+    outcome_.result.evaluation = experiment.evaluation;
     std::string& config = outcome_.result.config;
     config = "experiment:\n" + indented(experiment.resolved_config, 2) + "methods:\n";
     for (const MethodConfig& method : experiment.methods) {

@@ -32,6 +32,11 @@ const std::vector<TableColumn> kColumns = {
     {"duplicates", "dupl.", R"(dupl.)", false, 0, false},
 };
 
+/// Rows that know the ground truth compete with nobody.
+bool isUpperBound(const std::string& method) {
+  return method.starts_with("oracle_") || method == "ground_truth";
+}
+
 /// Marks the best three different printed values, so that two cells that look the same are marked
 /// the same.
 void rankColumn(TableBlock& block, std::size_t column, const TableColumn& spec) {
@@ -39,7 +44,8 @@ void rankColumn(TableBlock& block, std::size_t column, const TableColumn& spec) 
   const auto shown = [&](double value) { return fmt::format("{:.{}f}", value, spec.decimals); };
   std::set<std::pair<double, std::string>> distinct;
   for (const TableRow& row : block.rows) {
-    if (const auto& value = row.cells[column].value) {
+    const auto& value = row.cells[column].value;
+    if (value && !isUpperBound(row.method)) {
       const std::string text = shown(*value);
       const double rounded = std::stod(text);
       distinct.emplace(spec.higher_is_better ? -rounded : rounded, text);
@@ -50,7 +56,7 @@ void rankColumn(TableBlock& block, std::size_t column, const TableColumn& spec) 
     if (++rank > 3) break;
     for (TableRow& row : block.rows) {
       TableCell& cell = row.cells[column];
-      if (cell.value && shown(*cell.value) == text) cell.rank = rank;
+      if (cell.value && !isUpperBound(row.method) && shown(*cell.value) == text) cell.rank = rank;
     }
   }
 }
@@ -66,11 +72,42 @@ std::string methodLabel(const std::string& method) {
       {"hydra_plus_plus_no_rmcc", "Hydra++ w/o RMCC"},
       {"hydra_plus_plus_extended", "Hydra++ extended"},
       {"hydra_plus_plus_refined", "Hydra++ refined"},
-      {"oracle_shape", "Oracle shape"},
+      {"oracle_shape", "Oracle shape (bound)"},
+      {"oracle_view", "Oracle view (bound)"},
+      {"oracle_masks", "Oracle masks (bound)"},
+      {"oracle_association", "Oracle assoc. (bound)"},
+      {"oracle_all", "All oracles (bound)"},
       {"ground_truth", "Ground truth"},
   };
   const auto found = kLabels.find(method);
   return found == kLabels.end() ? method : found->second;
+}
+
+ComparisonTable differencesTo(const ComparisonTable& table, const std::string& method) {
+  ComparisonTable result = table;
+  std::erase_if(result.columns, [](const TableColumn& column) { return !column.ranked; });
+  result.title += fmt::format(", less {}", methodLabel(method));
+  bool found = false;
+  for (TableBlock& block : result.blocks) {
+    const auto reference = std::find_if(block.rows.begin(), block.rows.end(),
+                                        [&](const TableRow& row) { return row.method == method; });
+    if (reference == block.rows.end()) continue;
+    found = true;
+    const std::vector<TableCell> values = reference->cells;
+    for (TableRow& row : block.rows) {
+      std::vector<TableCell> cells;
+      for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        if (!table.columns[c].ranked) continue;
+        TableCell& cell = cells.emplace_back();
+        const auto& value = row.cells[c].value;
+        if (value && values[c].value) cell.value = *value - *values[c].value;
+      }
+      row.cells = std::move(cells);
+    }
+  }
+  if (!found) throw InputError(fmt::format("no row of method '{}' to compare with", method));
+  result.notes = {fmt::format("Every value less that of {}.", methodLabel(method))};
+  return result;
 }
 
 ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::string& class_name,
@@ -143,6 +180,11 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::st
       "inside the gate of an object that another one has taken.",
       "[low, high]: 95 % percentile bootstrap over objects.",
   };
+  if (std::any_of(methods.begin(), methods.end(), isUpperBound)) {
+    table.notes.push_back(
+        "(bound): a stage of the method is told the ground truth. An upper bound, not a result; "
+        "not ranked.");
+  }
   table.notes.insert(table.notes.end(), notes.begin(), notes.end());
   return table;
 }

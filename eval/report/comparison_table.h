@@ -59,6 +59,11 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows,
                                 const std::string& class_name = kAllMicro,
                                 const std::vector<std::string>& notes = {});
 
+/// The same table with every value less that of one method in its block: what a change to that
+/// method gains or costs. Without counts, intervals and ranks. Throws InputError where no row is of
+/// that method.
+ComparisonTable differencesTo(const ComparisonTable& table, const std::string& method);
+
 std::string methodLabel(const std::string& method);  ///< "hydra_plus_plus" -> "Hydra++"
 
 std::string renderTerminal(const ComparisonTable& table, bool color);

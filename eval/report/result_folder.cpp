@@ -8,6 +8,8 @@
 
 #include "eval/evaluation/csv.h"
 #include "eval/report/comparison_table.h"
+#include "eval/report/kappa_report.h"
+#include "eval/report/variant_table.h"
 
 namespace hydrabench {
 namespace {
@@ -130,14 +132,18 @@ std::string kappaCsv(const Result& result) {
   return text;
 }
 
-void writeResult(AtomicFolder& folder, const Result& result) {
+std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result) {
   const std::filesystem::path& out = folder.temporary();
+  std::vector<std::string> remarks;
   if (!result.evaluations.empty()) {
     const std::vector<ScoreRow> scores = allScores(result);
     const ComparisonTable table = comparisonTable(scores, kAllMicro, result.notes);
     writeFileAtomic(out / "scores.csv", scoresCsv(scores));
     writeFileAtomic(out / "objects.csv", objectsCsv(result));
+    writeFileAtomic(out / "variants.csv",
+                    renderVariantsCsv(variantRows(result.evaluations, result.evaluation)));
     writeFileAtomic(out / "kappa.csv", kappaCsv(result));
+    remarks = writeKappaReport(out, result.evaluations, result.evaluation);
     writeFileAtomic(out / "table.md", renderMarkdown(table));
     writeFileAtomic(out / "table.tex", renderLatex(table));
     writeFileAtomic(out / "table.csv", renderCsv(table));
@@ -150,6 +156,7 @@ void writeResult(AtomicFolder& folder, const Result& result) {
   writeFileAtomic(out / "config.yaml", result.config);
   writeFileAtomic(out / "provenance.json", provenanceJson(result.provenance));
   folder.commit();
+  return remarks;
 }
 
 }  // namespace hydrabench

@@ -19,16 +19,18 @@ struct Result {
   std::vector<TimingRow> timing;              ///< empty where nothing was mapped
   std::vector<std::string> notes;             ///< on the methods, for the table
   std::string config;                         ///< resolved YAML
+  EvaluationConfig evaluation;                ///< with which the evaluations were made
   Provenance provenance;
 };
 
 /// A result folder can be replaced by another: it is known by this file.
 inline constexpr const char* kResultMarker = "provenance.json";
 
-/// Writes scores.csv, objects.csv, kappa.csv, table.*, timing.csv, notes.txt, config.yaml and
-/// provenance.json (docs/metrics.md; each where there is something to write) and commits the
-/// folder. Claim it before the work: what cannot be written should be known first.
-void writeResult(AtomicFolder& folder, const Result& result);
+/// Writes scores.csv, objects.csv, variants.csv, kappa*, table.*, plots, timing.csv, notes.txt,
+/// config.yaml and provenance.json (docs/metrics.md; each where there is something to write) and
+/// commits the folder. Claim it before the work: what cannot be written should be known first.
+/// Returns what is missing, a line each: plots need gnuplot.
+std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result);
 
 std::vector<ScoreRow> allScores(const Result& result);
 /// The notes of a result folder; empty where it has none.

@@ -42,13 +42,13 @@ Transform floorPose(const Eigen::Vector2d& place, double yaw_rad, double z_m) {
   return pose;
 }
 
-Furnisher::Furnisher(const FloorPlan& plan, std::vector<Rect> keep_out, std::uint64_t seed)
-    : plan_(plan), keep_out_(std::move(keep_out)), seed_(seed) {}
+Furnisher::Furnisher(const FloorPlan& plan, std::vector<Rect> keep_out, std::uint64_t seed,
+                     InstanceSplit split)
+    : plan_(plan), keep_out_(std::move(keep_out)), seed_(seed), split_(split) {}
 
 Furnisher::Piece Furnisher::draw(const std::string& family, Label label) {
   const std::uint64_t index = instanceIndex(seed_, drawn_++);
-  return take(shapeFamily(family).draw(Random(instanceSeed(InstanceSplit::kEvaluation, index))),
-              label);
+  return take(shapeFamily(family).draw(Random(instanceSeed(split_, index))), label);
 }
 
 Furnisher::Piece Furnisher::take(ShapeInstance instance, Label label) const {

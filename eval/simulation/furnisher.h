@@ -36,9 +36,11 @@ class Furnisher {
   using Index = std::size_t;
 
   /// @param keep_out  floor areas in which nothing may stand
-  Furnisher(const FloorPlan& plan, std::vector<Rect> keep_out, std::uint64_t seed);
+  /// @param split  that instances are drawn from
+  Furnisher(const FloorPlan& plan, std::vector<Rect> keep_out, std::uint64_t seed,
+            InstanceSplit split = InstanceSplit::kEvaluation);
 
-  Piece draw(const std::string& family, Label label);  ///< a new instance of the evaluation split
+  Piece draw(const std::string& family, Label label);     ///< a new instance
   Piece take(ShapeInstance instance, Label label) const;  ///< a piece made to measure
   /// @param support  what it stands on or hangs at; may be touched. Pieces that stand on something
   /// or hang do not block doors.
@@ -61,6 +63,7 @@ class Furnisher {
   const FloorPlan& plan_;
   std::vector<Rect> keep_out_;
   std::uint64_t seed_;
+  InstanceSplit split_;
   std::uint64_t drawn_ = 0;
   std::vector<Placed> placed_;
 };

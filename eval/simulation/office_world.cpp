@@ -74,7 +74,7 @@ OfficeLayout layOutOffice(const OfficeConfig& config, std::uint64_t seed) {
   layout.plan = config.world == "quick" ? drawQuickPlan(random.fork(kPlanStream))
                                         : drawOfficePlan(random.fork(kPlanStream));
   const FloorPlan& plan = layout.plan;
-  Furnisher furnisher(plan, keepOutAreas(plan), hashSeed(seed, kInstanceStream));
+  Furnisher furnisher(plan, keepOutAreas(plan), hashSeed(seed, kInstanceStream), config.split);
   std::vector<Slot> slots;
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     RoomFitter fitter(furnisher, plan, static_cast<int>(i), random.fork(kRoomStream).fork(i),

@@ -13,7 +13,7 @@
 
 namespace hydrabench {
 
-/// The built-in office. Objects are drawn from the evaluation split of the shape families.
+/// The built-in office.
 struct OfficeConfig {
   std::string world = "office";  ///< "office": eight rooms and a corridor; "quick": two rooms and a
                                  ///< piece of corridor
@@ -23,6 +23,9 @@ struct OfficeConfig {
   int bins = 14;       ///< water dispensers included
   int computers = 18;  ///< outside the trained classes
   bool score_computers = false;
+  /// Split of the shape families that objects are drawn from. No config key: whatever a user
+  /// evaluates on is the evaluation split; trainers ask for the others.
+  InstanceSplit split = InstanceSplit::kEvaluation;
 
   static OfficeConfig quick();
 };

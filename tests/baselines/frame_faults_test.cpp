@@ -13,7 +13,7 @@
 #include "baselines/khronos/khronos.h"
 #include "baselines/template_cad/template_cad.h"
 #include "core/types/error.h"
-#include "tests/baselines/miniature_world.h"
+#include "tests/support/miniature_world.h"
 
 namespace hydrabench {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "baselines/template_cad/landmark_map.h"
 #include "core/geometry/transform.h"
-#include "tests/baselines/miniature_world.h"
+#include "tests/support/miniature_world.h"
 
 namespace hydrabench {
 namespace {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/parallel/parallel_for.h"
-#include "tests/baselines/miniature_world.h"
+#include "tests/support/miniature_world.h"
 
 namespace hydrabench {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-#include "tests/baselines/miniature_world.h"
+#include "tests/support/miniature_world.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
 #include "core/graph/spark_dsg_json.h"
 #include "core/parallel/parallel_for.h"
 #include "core/types/error.h"
-#include "tests/baselines/miniature_world.h"
+#include "tests/support/miniature_world.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hydrabench {

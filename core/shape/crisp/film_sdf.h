@@ -4,9 +4,8 @@
 // Includes libtorch: for the sources of core/shape/crisp and of the trainers only.
 #pragma once
 
-#include <vector>
-
 #include <torch/torch.h>
+#include <vector>
 
 namespace hydrabench {
 

@@ -133,6 +133,40 @@ TEST(ConfigDocument, ABaseStandsUnderneathKeyByKey) {
   EXPECT_THAT(world.rooms, ::testing::ElementsAre(7));
 }
 
+TEST(ConfigDocument, ASectionOfAnotherTypeReplacesThatOfTheBaseWhole) {
+  struct Tool {
+    std::string type;
+    std::string weights = "none";
+    int width = 0;
+  };
+  const auto toolOf = [](const std::string& section) {
+    TemporaryFolder folder;
+    writeText(folder / "base.yaml", "seed: 3\ntool: {type: saw, weights: heavy, width: 7}\n");
+    writeText(folder / "top.yaml", "base: base.yaml\ntool: " + section + "\n");
+    ConfigReader reader(ConfigDocument::fromFile(folder / "top.yaml"));
+    int seed = 0;
+    reader.field("seed", seed);
+    EXPECT_EQ(seed, 3);
+    Tool tool;
+    ConfigReader part = reader.section("tool");
+    part.field("type", tool.type);
+    part.field("weights", tool.weights);
+    part.field("width", tool.width);
+    reader.finish();
+    return tool;
+  };
+  const Tool same = toolOf("{type: saw, width: 8}");
+  EXPECT_EQ(same.weights, "heavy");
+  EXPECT_EQ(same.width, 8);
+  const Tool silent = toolOf("{width: 8}");
+  EXPECT_EQ(silent.type, "saw");
+  EXPECT_EQ(silent.weights, "heavy");
+  const Tool other = toolOf("{type: drill, width: 8}");
+  EXPECT_EQ(other.type, "drill");
+  EXPECT_EQ(other.weights, "none");  // not those of a saw
+  EXPECT_EQ(other.width, 8);
+}
+
 TEST(ConfigDocument, PathsAreRelativeToTheFileTheyStandIn) {
   TemporaryFolder folder;
   writeText(folder / "common/root.yaml", "mesh: chair.ply\n");

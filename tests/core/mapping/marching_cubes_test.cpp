@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/cube_contours.h"
+#include "core/geometry/cube_triangles.h"
 #include "core/geometry/mesh_topology.h"
-#include "core/mapping/cube_triangles.h"
 #include "core/types/random.h"
 #include "tests/core/mapping/filled_volume.h"
 

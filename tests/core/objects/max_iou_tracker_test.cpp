@@ -73,6 +73,22 @@ TEST(MaxIouTracker, AnOverlapAboveTheThresholdContinuesATrack) {
   EXPECT_EQ(feed.tracker.tracks()[1].observations.size(), 1u);
 }
 
+TEST(MaxIouTracker, FollowsInstancesWhoseIdsPersistWhereverTheyAre) {
+  MaxIouTracker::Config config;
+  config.track_by = "instances";
+  Feed feed(config);
+  const auto instance = [](InstanceId id, std::initializer_list<int> xs) {
+    ObjectCandidate c = candidate(kChair, xs);
+    c.instance = id;
+    return c;
+  };
+  feed.see({instance(7, {0}), instance(8, {1}), instance(kNoInstance, {2})});
+  feed.see({instance(8, {0}), instance(7, {1}), instance(kNoInstance, {2})});
+  ASSERT_EQ(feed.tracker.tracks().size(), 4u);  // those without an id stay alone
+  EXPECT_EQ(feed.tracker.tracks()[0].last_voxels, row({1}));
+  EXPECT_EQ(feed.tracker.tracks()[1].last_voxels, row({0}));
+}
+
 TEST(MaxIouTracker, TracksChooseInTheOrderOfTheirIds) {
   Feed feed;
   feed.see({candidate(kChair, {0, 1, 2}), candidate(kChair, {3, 4, 5})});

@@ -66,8 +66,9 @@ TEST_F(Command, TeachesWithoutArguments) {
 }
 
 TEST_F(Command, HelpsForEverySubcommand) {
-  for (const std::string name : {"doctor", "selftest", "view", "export", "run", "map", "evaluate",
-                                 "report", "templates", "defaults", "version"}) {
+  for (const std::string name :
+       {"doctor", "selftest", "view", "export", "run", "map", "evaluate", "report", "sweep",
+        "estimate", "train", "templates", "defaults", "version"}) {
     const Outcome outcome = run(name + " --help");
     EXPECT_EQ(outcome.exit_code, 0) << name;
     EXPECT_THAT(outcome.out, HasSubstr("Usage: hydrabench " + name)) << name;
@@ -95,6 +96,32 @@ TEST_F(Command, RunsAnExperimentToATable) {
     EXPECT_THAT(scores, Not(HasSubstr(found + "0,"))) << method << " found nothing";
   }
   EXPECT_THAT(run("report " + path("result") + " --format md").out, HasSubstr("Template CAD: "));
+  EXPECT_THAT(readText(folder_ / "result/kappa.md"), HasSubstr("| Khronos |"));
+  EXPECT_THAT(readText(folder_ / "result/plots/kappa_office_quick_exists.gp"), HasSubstr("Hydra"));
+  EXPECT_THAT(run("report " + path("result") + " --variants --class chair").out,
+              HasSubstr("| Template CAD |"));
+}
+
+TEST_F(Command, DecidesTheCandidatesOfARunAnew) {
+  const std::string method =
+      (std::filesystem::path(HYDRABENCH_SOURCE_DIR) / "configs/methods/oracle_shape.yaml").string();
+  const Outcome mapped =
+      run("run configs/experiments/table1_quick.yaml --out " + path("result") + small() +
+          "--set max_frames=100 --set evaluation.bootstrap_resamples=0 "
+          "--set evaluation.samples=500 --set 'methods=[{config: " +
+          method + "}]'");
+  ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+  const Outcome swept = run("sweep configs/sweeps/tau_o.yaml " + path("result") + " --out " +
+                            path("swept") + " --set method=oracle_shape");
+  ASSERT_EQ(swept.exit_code, 0) << swept.err;
+  EXPECT_THAT(swept.out, HasSubstr("| 0.5 m | one_to_one |"));
+  EXPECT_THAT(readText(folder_ / "swept/tau_o_office_quick.csv"), HasSubstr("tau_o,tau_o_end"));
+  const Outcome viewed = run("view " + path("result") +
+                             " --rejections --heatmaps --objects 1 --out " + path("figures"));
+  EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
+  EXPECT_THAT(viewed.out, HasSubstr("errors_office_quick_1.png"));
+  expectFault("sweep configs/sweeps/tau_o.yaml " + path("result") + " --out " + path("x"),
+              "no prediction of 'hydra_plus_plus'");
 }
 
 TEST_F(Command, MapsForEvaluate) {
@@ -108,6 +135,57 @@ TEST_F(Command, MapsForEvaluate) {
       run("evaluate " + path("mine") + " --dataset " + kWorld + " --out " + path("scored"));
   EXPECT_EQ(scored.exit_code, 0) << scored.err;
   EXPECT_THAT(scored.out, HasSubstr("Khronos"));
+}
+
+TEST_F(Command, TrainsStopsAndGoesOn) {
+  writeText(folder_ / "toy.yaml",
+            "worlds: {world: quick, frames: 30, sdf_points: 200, image_width_px: 180}\n"
+            "network: {dim: 16, depth: 1, heads: 2, decoder_layers: 2, decoder_width: 16}\n"
+            "decoder: {worlds: 1, steps: 4, shapes_per_step: 4, points_per_shape: 16}\n"
+            "joint: {worlds: 1, window_worlds: 1, steps: 4, batch: 2, sdf_points: 8}\n"
+            "validation_worlds: 1\nprecision: fp32\n");
+  const std::string train = "train " + path("toy.yaml") + " --out " + path("toy");
+  const Outcome stopped = run(train + " --minutes 0.000001");
+  EXPECT_EQ(stopped.exit_code, 0) << stopped.err;
+  EXPECT_THAT(stopped.out, HasSubstr("the same command goes on from here"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "toy/model"));
+
+  const Outcome finished = run(train);
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, HasSubstr("finished: wrote " + path("toy/model")));
+  EXPECT_THAT(finished.err, HasSubstr("network 4/4"));
+  EXPECT_THAT(readText(folder_ / "toy/loss.csv"), HasSubstr("\nnetwork,4,8,"));
+  EXPECT_THAT(readText(folder_ / "toy/config.yaml"), HasSubstr("decoder_width: 16"));
+  EXPECT_THAT(readText(folder_ / "toy/model/manifest.yaml"), HasSubstr("preset: small"));
+  const std::string weights = readText(folder_ / "toy/model/weights.safetensors");
+  EXPECT_GT(weights.size(), 100000u);
+
+  EXPECT_EQ(run(train).exit_code, 0);  // nothing left to do
+  EXPECT_TRUE(readText(folder_ / "toy/model/weights.safetensors") == weights);
+  expectFault(train + " --set joint.steps=5", "belongs to a training with other settings");
+  expectFault(train + " --set joint.stepps=5", "did you mean joint.steps?");
+}
+
+TEST_F(Command, EstimatesShapesFromSingleViews) {
+  writeText(folder_ / "study.yaml",
+            fmt::format("datasets: [{{config: {}/{}}}]\n"
+                        "estimators: [{{name: truth, type: oracle}}]\n"
+                        "views: {{frame_step: 20, min_pixels: 60}}\n"
+                        "evaluation: {{samples: 300, bootstrap_resamples: 20}}\n",
+                        HYDRABENCH_SOURCE_DIR, kWorld));
+  const std::string estimate = "estimate " + path("study.yaml") + small() +
+                               "--set dataset.office.chairs=3 --set dataset.office.plants=1 --set "
+                               "dataset.office.computers=0 --out " +
+                               path("views");
+  const Outcome outcome = run(estimate);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("chamfer_l1 [cm]"));
+  EXPECT_THAT(outcome.out, HasSubstr("truth"));
+  EXPECT_THAT(readText(folder_ / "views/views.csv"), HasSubstr("office_quick,1,truth,"));
+  EXPECT_THAT(readText(folder_ / "views/summary.csv"), HasSubstr("\ntruth,all,"));
+  EXPECT_THAT(readText(folder_ / "views/config.yaml"), HasSubstr("frame_step: 20"));
+  expectFault(estimate, path("views"));
+  expectFault(estimate + " --set views.min_pixls=3", "did you mean views.min_pixels?");
 }
 
 TEST_F(Command, SaysWhatIsWrongWithAnExperiment) {

@@ -45,15 +45,16 @@ std::string faultOf(const std::string& yaml) {
 }
 
 TEST(OpenDataset, AMissingTypeListsAllTypes) {
-  EXPECT_EQ(faultOf("seed: 3\n"),
-            "d.yaml: type: missing, expected one of: simulated, folder, placed_meshes, "
-            "seven_scenes, apc2016");
+  EXPECT_EQ(
+      faultOf("seed: 3\n"),
+      "d.yaml: type: missing, expected one of: simulated, folder, placed_meshes, mesh_gallery, "
+      "seven_scenes, apc2016");
 }
 
 TEST(OpenDataset, AnUnknownTypeSuggestsOne) {
   EXPECT_EQ(faultOf("type: simulatd\nseed: 3\n"),
             "d.yaml:1: type: 'simulatd' is unknown, expected one of: simulated, folder, "
-            "placed_meshes, seven_scenes, apc2016; did you mean simulated?");
+            "placed_meshes, mesh_gallery, seven_scenes, apc2016; did you mean simulated?");
 }
 
 TEST(OpenDataset, KeysOfOtherTypesAreUnknown) {

@@ -64,7 +64,7 @@ class CountingMethod : public MappingSystem {
 
 MethodConfig counting(const std::string& name, std::size_t throw_at = 1000) {
   return {name, "type: counting\n",
-          [=](const LabelSpace&) { return std::make_unique<CountingMethod>(throw_at); }};
+          [=](const Dataset&) { return std::make_unique<CountingMethod>(throw_at); }};
 }
 
 TEST(MapDataset, MakesEachFrameOnceForAllMethods) {

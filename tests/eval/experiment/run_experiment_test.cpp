@@ -45,8 +45,7 @@ class ToyMethod : public MappingSystem {
 };
 
 MethodConfig toyMethod(const std::string& name, bool fails = false) {
-  return {name, "type: toy\n",
-          [=](const LabelSpace&) { return std::make_unique<ToyMethod>(fails); }};
+  return {name, "type: toy\n", [=](const Dataset&) { return std::make_unique<ToyMethod>(fails); }};
 }
 
 class RunExperiment : public ::testing::Test {

@@ -50,6 +50,28 @@ TEST(ComparisonTable, MarksCellsThatPrintTheSameTheSame) {
   EXPECT_EQ(table.blocks[0].rows[2].cells[2].rank, 2);
 }
 
+TEST(ComparisonTable, DoesNotRankRowsThatKnowTheGroundTruth) {
+  const ComparisonTable table =
+      comparisonTable({score("oracle_shape", 0.2, kMatchingExists, "f1", 0.9),
+                       score("a", 0.2, kMatchingExists, "f1", 0.5)});
+  EXPECT_EQ(table.blocks[0].rows[0].cells[2].rank, 0);
+  EXPECT_EQ(table.blocks[0].rows[1].cells[2].rank, 1);
+  EXPECT_NE(table.blocks[0].rows[0].label.find("bound"), std::string::npos);
+}
+
+TEST(ComparisonTable, SubtractsTheRowOfAMethod) {
+  const ComparisonTable table =
+      differencesTo(comparisonTable({score("a", 0.2, kMatchingExists, "f1", 0.5),
+                                     score("a", 0.2, kMatchingExists, "truths", 88),
+                                     score("b", 0.2, kMatchingExists, "f1", 0.75)}),
+                    "a");
+  EXPECT_EQ(table.blocks[0].rows[0].cells[2].value, 0.0);
+  EXPECT_EQ(table.blocks[0].rows[1].cells[2].value, 0.25);
+  EXPECT_EQ(table.blocks[0].rows[1].cells[0].value, std::nullopt);
+  for (const TableColumn& column : table.columns) EXPECT_TRUE(column.ranked) << column.metric;
+  EXPECT_THROW(differencesTo(table, "c"), InputError);
+}
+
 TEST(ComparisonTable, KeepsThresholdsAndMatchingsApart) {
   const ComparisonTable table = comparisonTable({score("a", 0.5, kMatchingOneToOne, "f1", 0.1),
                                                  score("a", 0.2, kMatchingExists, "f1", 0.2),

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/types/error.h"
 #include "eval/simulation/office_labels.h"
 #include "eval/simulation/office_structure.h"
 #include "eval/simulation/office_world.h"
@@ -48,6 +49,20 @@ TEST(OfficeLayout, QuickWorldIsSmall) {
   EXPECT_EQ(counts.at(office_label::kChair) + counts.at(office_label::kCouch) +
                 counts.at(office_label::kPlant) + counts.at(office_label::kBin),
             15);
+}
+
+TEST(OfficeConfig, AUserAlwaysGetsTheEvaluationSplit) {
+  ConfigReader reader(ConfigDocument::fromString("chairs: 3\n", "w.yaml"));
+  OfficeConfig config;
+  read(reader, config);
+  reader.finish();
+  EXPECT_EQ(config.chairs, 3);
+  EXPECT_EQ(config.split, InstanceSplit::kEvaluation);
+  EXPECT_EQ(OfficeConfig::quick().split, InstanceSplit::kEvaluation);
+  // There is no key for it.
+  ConfigReader wishful(ConfigDocument::fromString("split: training\n", "w.yaml"));
+  read(wishful, config);
+  EXPECT_THROW(wishful.finish(), InputError);
 }
 
 TEST(OfficeLayout, NoTwoPiecesOverlap) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-#include "core/mapping/cube_triangles.h"
+#include "core/geometry/cube_triangles.h"
 
 #include <cstddef>
 

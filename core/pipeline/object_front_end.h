@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/config/config_reader.h"
+#include "core/mapping/active_window.h"
+#include "core/mapping/motion_detector.h"
+#include "core/objects/candidate_extractor.h"
+#include "core/objects/max_iou_tracker.h"
+#include "core/pipeline/stage_times.h"
+
+namespace hydrabench {
+
+/// What Khronos does with every frame, and Hydra++ after it: moving things are found where space
+/// was free; candidates of objects are found and tracked by overlap; the rest goes into the active
+/// window. What becomes of the tracks is the method's affair.
+class ObjectFrontEnd {
+ public:
+  /// As Khronos on uHumans2.
+  struct Config {
+    Config();
+    double min_range_m = 0.1;  ///< of the sensor
+    double max_range_m = 5;
+    /// Names of classes that move: kept out of the static map whether they move or not.
+    std::vector<std::string> dynamic_classes = {"human"};
+    ActiveWindow::Config window;
+    MotionDetector::Config motion;
+    CandidateExtractor::Config candidates;
+    MaxIouTracker::Config tracker;
+  };
+  ObjectFrontEnd(const Config& config, const LabelSpace& label_space);
+
+  /// Stages: motion, candidates, track, integrate. Throws InputError where the frame lacks the
+  /// image that the candidates are taken from.
+  /// @return  the candidates of the frame, observed by the tracker's tracks
+  FrameCandidates process(const RgbdFrame& frame, StageTimes& times);
+  /// If it is time to, updates the mesh of the window (stage mesh) and returns true: Khronos ends
+  /// tracks then.
+  bool updateMesh(const RgbdFrame& frame, StageTimes& times);
+
+  MaxIouTracker& tracker() { return tracker_; }
+  const MaxIouTracker& tracker() const { return tracker_; }
+  ActiveWindow& window() { return window_; }
+  const ActiveWindow& window() const { return window_; }
+
+ private:
+  void detectMotion(const SensorView& view);
+  Image<std::uint8_t> staticMapMask(const RgbdFrame& frame) const;
+
+  Config config_;
+  std::vector<Label> dynamic_labels_;
+  ActiveWindow window_;
+  MotionDetector motion_detector_;
+  CandidateExtractor extractor_;
+  MaxIouTracker tracker_;
+  MotionDetection motion_;  ///< of the last frame
+};
+
+/// Reads the keys of the struct; not in a section of their own.
+void read(ConfigReader& reader, ObjectFrontEnd::Config& config);
+
+}  // namespace hydrabench

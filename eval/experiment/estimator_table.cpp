@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/experiment/estimator_table.h"
+
+#include "core/shape/crisp/crisp_estimator.h"
+#include "eval/oracles/shape_oracle.h"
+#include "eval/oracles/true_instances.h"
+
+namespace hydrabench {
+namespace {
+
+/// Reads the rest of the section.
+struct EstimatorType {
+  const char* name;
+  EstimatorStart (*read)(ConfigReader& reader);
+};
+
+EstimatorStart readCrisp(ConfigReader& reader) {
+  CrispEstimator::Config config;
+  read(reader, config);
+  return [config](const Dataset&) { return std::make_shared<CrispEstimator>(config); };
+}
+
+EstimatorStart readOracle(ConfigReader&) {
+  return [](const Dataset& dataset) {
+    return std::make_shared<ShapeOracle>(
+        std::make_shared<const TrueInstances>(dataset.groundTruth()));
+  };
+}
+
+constexpr EstimatorType kTypes[] = {
+    {"crisp", readCrisp},
+    {"oracle", readOracle},
+};
+
+}  // namespace
+
+std::vector<std::string> estimatorTypes() {
+  std::vector<std::string> names;
+  for (const EstimatorType& type : kTypes) names.emplace_back(type.name);
+  return names;
+}
+
+EstimatorStart readEstimator(ConfigReader& section) {
+  std::string type = kTypes[0].name;
+  section.choice("type", type, estimatorTypes());
+  for (const EstimatorType& candidate : kTypes) {
+    if (type == candidate.name) return candidate.read(section);
+  }
+  section.throwFaults();  // an unknown type: no other key can be judged
+  return {};
+}
+
+}  // namespace hydrabench

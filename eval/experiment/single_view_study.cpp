@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/experiment/single_view_study.h"
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "core/config/plain_name.h"
+#include "core/parallel/parallel_for.h"
+#include "core/types/random.h"
+#include "eval/oracles/true_instances.h"
+#include "metrics/pair_scores.h"
+
+namespace hydrabench {
+namespace {
+
+constexpr double kFailedChamfer_m = 0.15;
+constexpr double kFailedIou = 0.1;
+
+/// One object in one frame.
+struct ObjectView {
+  std::size_t object = 0;
+  Image<std::uint8_t> mask;
+  int pixels = 0;
+  bool cut = false;
+  double volume_m3 = 0;
+};
+
+/// The chosen view of an object so far.
+struct Chosen {
+  double key = -1;
+  ObjectView view;
+  RgbdFrame frame;
+};
+
+/// Pixels per object, and what the mask of each is.
+class FrameViews {
+ public:
+  FrameViews(const RgbdFrame& frame, const Image<std::int32_t>& truth,
+             const SingleViewStudy::Views& config)
+      : frame_(frame), truth_(truth), config_(config) {}
+
+  std::vector<ObjectView> all() const {
+    std::map<std::int32_t, std::map<InstanceId, int>> seen;
+    for (std::size_t i = 0; i < truth_.size(); ++i) {
+      const std::int32_t object = truth_.data()[i];
+      if (object == TrueInstances::kNoObject) continue;
+      const InstanceId id = frame_.instances.empty() ? kNoInstance : frame_.instances.data()[i];
+      ++seen[object][id];
+    }
+    std::vector<ObjectView> views;
+    for (const auto& [object, instances] : seen) {
+      std::optional<InstanceId> instance;
+      if (config_.masks == "given") {
+        int most = 0;
+        for (const auto& [id, count] : instances) {
+          if (id == kNoInstance || count <= most) continue;
+          most = count;
+          instance = id;
+        }
+        if (!instance) continue;
+      }
+      ObjectView view = of(object, instance);
+      if (view.pixels >= config_.min_pixels) views.push_back(std::move(view));
+    }
+    return views;
+  }
+
+ private:
+  ObjectView of(std::int32_t object, std::optional<InstanceId> instance) const {
+    const Camera& camera = frame_.camera;
+    ObjectView view;
+    view.object = static_cast<std::size_t>(object);
+    view.mask = Image<std::uint8_t>(camera.width, camera.height);
+    Aabb box;
+    for (int v = 0; v < camera.height; ++v) {
+      for (int u = 0; u < camera.width; ++u) {
+        const bool on = instance ? frame_.instances(u, v) == *instance : truth_(u, v) == object;
+        if (!on) continue;
+        view.mask(u, v) = 1;
+        view.cut |= u == 0 || v == 0 || u == camera.width - 1 || v == camera.height - 1;
+        const float depth = frame_.depth(u, v);
+        if (!(depth > 0)) continue;
+        const Eigen::Vector3d p = camera.backproject(u, v, depth);
+        if (p.norm() > config_.max_range_m) continue;
+        ++view.pixels;
+        box.extend(frame_.T_world_camera * p);
+      }
+    }
+    view.volume_m3 = box.isEmpty() ? 0 : box.volume();
+    return view;
+  }
+
+  const RgbdFrame& frame_;
+  const Image<std::int32_t>& truth_;
+  const SingleViewStudy::Views& config_;
+};
+
+/// The view of each scored object, in the order of the objects.
+std::map<std::size_t, Chosen> chooseViews(const SingleViewStudy& study, const Dataset& dataset,
+                                          const TrueInstances& truth) {
+  std::map<std::size_t, Chosen> chosen;
+  const auto step = static_cast<std::size_t>(study.views.frame_step);
+  for (std::size_t i = 0; i < dataset.numFrames(); i += step) {
+    RgbdFrame frame = dataset.frame(i);
+    const Image<std::int32_t> objects =
+        truth.render(frame.camera, truth.cameraPose(frame.stamp_ns, frame.T_world_camera));
+    for (ObjectView& view : FrameViews(frame, objects, study.views).all()) {
+      if (!truth.objects()[view.object].scored) continue;
+      const double key = study.views.choose == "largest_box"
+                             ? view.volume_m3
+                             : Random(hashSeed(study.seed, i), view.object).uniform();
+      Chosen& best = chosen[view.object];
+      if (key <= best.key) continue;
+      best = {key, std::move(view), frame};
+    }
+  }
+  return chosen;
+}
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+void score(const ShapeEstimate& estimate, const Transform& T_world_camera, const ObjectModel& truth,
+           const ObjectModel::Config& config, SingleViewRow& row) {
+  Mesh mesh = estimate.mesh;
+  for (Eigen::Vector3d& v : mesh.vertices) {
+    v = T_world_camera * (estimate.T_camera_object * (estimate.scale * v));
+  }
+  const ObjectModel model(std::move(mesh), ObjectModel::Role::kEstimate, config);
+  const PairScores scores = scorePair(model, truth);
+  row.chamfer_l1_m = scores.chamfer_l1;
+  row.v_iou = scores.v_iou_solid;
+  row.b_iou = scores.b_iou;
+  row.center_error_m = (model.box().center() - truth.box().center()).norm();
+  row.inlier_ratio = estimate.inlier_ratio;
+}
+
+}  // namespace
+
+bool SingleViewRow::failed() const {
+  if (!failure.empty()) return true;
+  return chamfer_l1_m.value_or(1) > kFailedChamfer_m || v_iou.value_or(0) < kFailedIou;
+}
+
+SingleViewStudy readSingleViewStudy(const std::filesystem::path& config,
+                                    const std::vector<std::string>& overrides) {
+  ConfigDocument document = ConfigDocument::fromFile(config);
+  std::vector<std::string> for_datasets;
+  for (const std::string& assignment : overrides) {
+    if (assignment.starts_with("dataset.")) {
+      for_datasets.push_back(assignment.substr(8));
+    } else {
+      document.set(assignment);
+    }
+  }
+  ConfigReader reader(document);
+  SingleViewStudy study;
+  study.name = config.stem().string();
+  reader.field("name", study.name);
+  reader.field("seed", study.seed);
+  study.datasets = readDatasetEntries(reader, for_datasets);
+  reader.require("estimators");
+  for (ConfigReader& item : reader.list("estimators")) {
+    SingleViewStudy::Estimator estimator;
+    item.require("name");
+    item.field("name", estimator.name);
+    if (!estimator.name.empty() && !isPlainName(estimator.name)) {
+      item.fault("name", fmt::format("'{}', {}", estimator.name, kPlainNameExpected));
+    }
+    estimator.start = readEstimator(item);
+    study.estimators.push_back(std::move(estimator));
+  }
+  auto views = reader.section("views");
+  views.choice("choose", study.views.choose, {"largest_box", "random"});
+  views.choice("masks", study.views.masks, {"true", "given"});
+  views.field("frame_step", study.views.frame_step, {1, 1e6});
+  views.field("min_pixels", study.views.min_pixels, {5, 1e8});
+  views.field("max_range_m", study.views.max_range_m, {0.01, 1000});
+  auto evaluation = reader.section("evaluation");
+  read(evaluation, study.evaluation);
+  reader.finish();
+  study.resolved_config = reader.resolved();
+  return study;
+}
+
+std::vector<SingleViewRow> runSingleViewStudy(
+    const SingleViewStudy& study,
+    const std::function<void(const std::string&, const std::string&)>& on_world) {
+  std::vector<SingleViewRow> rows;
+  const ObjectModel::Config model_config = study.evaluation.modelConfig();
+  for (const ExperimentConfig::DatasetEntry& entry : study.datasets) {
+    for (std::size_t world = 0; world < entry.numWorlds(); ++world) {
+      const OpenedDataset opened = entry.open(world);
+      const Dataset& dataset = *opened.dataset;
+      const std::string name = entry.name.empty() ? dataset.name() : entry.name;
+      const std::string world_seed = std::to_string(dataset.seed());
+      on_world(name, world_seed);
+      const TrueInstances truth(dataset.groundTruth());
+      const std::map<std::size_t, Chosen> chosen = chooseViews(study, dataset, truth);
+      for (const SingleViewStudy::Estimator& item : study.estimators) {
+        const std::shared_ptr<const ShapeEstimator> estimator = item.start(dataset);
+        for (const auto& [index, choice] : chosen) {
+          const GroundTruthObject& object = truth.objects()[index];
+          ShapeObservation view;
+          view.stamp_ns = choice.frame.stamp_ns;
+          view.camera = choice.frame.camera;
+          view.T_world_camera = choice.frame.T_world_camera;
+          view.color = choice.frame.color;
+          view.depth = choice.frame.depth;
+          view.mask = choice.view.mask;
+          view.label = object.label;
+          SingleViewRow row;
+          row.dataset = name;
+          row.world_seed = world_seed;
+          row.estimator = item.name;
+          row.object = object.name;
+          const LabelSpace::Entry* label = dataset.labelSpace().find(object.label);
+          row.class_name = label ? label->name : "unknown";
+          row.subtype = object.subtype;
+          row.stamp_ns = view.stamp_ns;
+          row.pixels = choice.view.pixels;
+          row.cut = choice.view.cut;
+          const Transform T_world_camera = truth.cameraPose(view.stamp_ns, view.T_world_camera);
+          const ObjectModel model(transformed(object.T_world_object, *object.mesh),
+                                  ObjectModel::Role::kTruth, model_config);
+          row.distance_m = (model.box().center() - T_world_camera.translation()).norm();
+          row.seen_fraction = truth.visibleFraction(index, view.camera, T_world_camera);
+          const auto start = std::chrono::steady_clock::now();
+          const ShapeOutcome outcome = estimator->estimate(view, {}, hashSeed(study.seed, index));
+          row.wall_ms["total"] = millisecondsSince(start);
+          for (const StageTimes::Stage& stage : outcome.times.stages()) {
+            for (const StageTimes::Sample& sample : stage.samples) {
+              row.wall_ms[stage.name] += sample.wall_ms;
+            }
+          }
+          row.failure = outcome.failure;
+          if (outcome.estimate) {
+            // The true pose: an estimate in the camera frame is not to blame for odometry.
+            score(*outcome.estimate, T_world_camera, model, model_config, row);
+          }
+          rows.push_back(std::move(row));
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace hydrabench

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+//
+// Includes libtorch: for the sources of the trainers only.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "core/shape/crisp/point_network.h"
+#include "eval/training/crisp_training.h"
+#include "eval/training/training_pool.h"
+
+namespace hydrabench {
+
+/// Decoder, modulation and a code per shape, trained on distances alone.
+struct ShapeCodes {
+  torch::Tensor codes;                        ///< [S, code]; undefined where there are none
+  double variance = 1;                        ///< of the codes, mean over dimensions
+  std::map<std::int64_t, std::int64_t> rows;  ///< number of a shape -> row
+};
+
+/// Weighted L1 between predicted and clamped true distances: what lies far from the surface counts
+/// half. The prediction is not clamped: its gradient would vanish.
+torch::Tensor distanceLoss(const torch::Tensor& predicted, const torch::Tensor& target,
+                           double clamp);
+
+/// Trains network->decoder() and network->modulation(). Resumes from `checkpoint` if it exists.
+/// @return  codes of the shapes that have a front; nullopt if asked to stop
+std::optional<ShapeCodes> trainShapeDecoder(const CrispTrainingConfig& config,
+                                            const TrainingPool& pool, PointNetwork network,
+                                            const std::filesystem::path& checkpoint,
+                                            const TrainingProgress& progress,
+                                            const StopRequest& stop);
+
+}  // namespace hydrabench

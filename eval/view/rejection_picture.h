@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/graph/shape_candidate.h"
+#include "core/objects/rmcc.h"
+#include "core/types/color.h"
+#include "core/types/label_space.h"
+
+namespace hydrabench {
+
+/// Colour image at a stamp; empty where there is none.
+using ColorAt = std::function<Image<Rgb>(std::int64_t stamp_ns)>;
+
+/// The estimates that the consistency check turned down, lowest overlap first, at most `count`: the
+/// view of each, cut out around it, with the observed mask in blue, the projected one in orange and
+/// what they share in green, and the scores and the reason below. Empty where none was turned down;
+/// tracks without an estimate have nothing to show.
+/// @param config  of the method, for the projected mask
+Image<Rgb> rejectionPicture(const std::vector<ShapeCandidate>& candidates,
+                            const LabelSpace& label_space, const ColorAt& color_at,
+                            const RmccConfig& config, std::size_t count = 24);
+
+/// One tile without text, of the given size; what rejectionPicture is made of.
+Image<Rgb> maskOverlay(const ShapeCandidate& candidate, const Image<Rgb>& color,
+                       const RmccConfig& config, int tile_px);
+
+}  // namespace hydrabench
