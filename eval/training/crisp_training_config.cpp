@@ -26,6 +26,7 @@ void read(ConfigReader& reader, CrispTrainingConfig::Decoder& decoder) {
   reader.field("points_per_shape", decoder.points_per_shape, {1, 100000});
   reader.field("learning_rate", decoder.learning_rate, {1e-8, 1});
   reader.field("code_learning_rate", decoder.code_learning_rate, {1e-8, 1});
+  reader.field("code_deviation", decoder.code_deviation, {0, 10});
   reader.field("code_penalty", decoder.code_penalty, {0, 1});
 }
 

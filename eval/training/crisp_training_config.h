@@ -30,11 +30,12 @@ struct CrispTrainingConfig {
   /// CVPR 2019): trained jointly from images it stays blurred.
   struct Decoder {
     int worlds = 40;
-    int steps = 8000;
+    int steps = 12000;
     int shapes_per_step = 40;
     int points_per_shape = 384;
-    double learning_rate = 1e-3;
-    double code_learning_rate = 3e-3;
+    double learning_rate = 3e-3;
+    double code_learning_rate = 4e-2;
+    double code_deviation = 0.01;  ///< of the codes it begins with: noise that stays, if large
     double code_penalty = 1e-4;
   } decoder;
 

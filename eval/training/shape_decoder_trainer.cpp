@@ -121,7 +121,8 @@ std::optional<ShapeCodes> trainShapeDecoder(const CrispTrainingConfig& config,
   torch::manual_seed(config.seed);
   Decoder master(network);
   torch::Tensor codes =
-      0.1 * torch::randn({static_cast<std::int64_t>(entries.size()), network->options().code});
+      config.decoder.code_deviation *
+      torch::randn({static_cast<std::int64_t>(entries.size()), network->options().code});
   torch::optim::Adam optimizer(master->parameters(),
                                torch::optim::AdamOptions(config.decoder.learning_rate));
   RowAdam code_optimizer(codes);

@@ -89,7 +89,7 @@ TEST_F(Command, RunsAnExperimentToATable) {
     EXPECT_NE(readText(folder_ / "result" / file), "") << file;
   }
   const std::string scores = readText(folder_ / "result/scores.csv");
-  for (const std::string method : {"hydra", "khronos", "template_cad"}) {
+  for (const std::string method : {"hydra", "khronos", "template_cad", "hydra_plus_plus"}) {
     const std::string found =
         "office_quick,pooled," + method + ",all_micro,tau_m,0.5,exists,found_truths,";
     EXPECT_THAT(scores, HasSubstr(found));
@@ -99,7 +99,7 @@ TEST_F(Command, RunsAnExperimentToATable) {
   EXPECT_THAT(readText(folder_ / "result/kappa.md"), HasSubstr("| Khronos |"));
   EXPECT_THAT(readText(folder_ / "result/plots/kappa_office_quick_exists.gp"), HasSubstr("Hydra"));
   EXPECT_THAT(run("report " + path("result") + " --variants --class chair").out,
-              HasSubstr("| Template CAD |"));
+              HasSubstr("| Template CAD "));
 }
 
 TEST_F(Command, DecidesTheCandidatesOfARunAnew) {
