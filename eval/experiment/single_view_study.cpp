@@ -141,6 +141,63 @@ void score(const ShapeEstimate& estimate, const Transform& T_world_camera, const
   row.inlier_ratio = estimate.inlier_ratio;
 }
 
+/// A chosen view, prepared once for all estimators.
+struct ViewCase {
+  std::size_t object = 0;
+  ShapeObservation view;
+  Transform T_world_camera = Transform::Identity();  ///< true
+  ObjectModel truth;
+  SingleViewRow row;  ///< what does not depend on the estimator
+};
+
+ViewCase makeCase(const Chosen& choice, std::size_t index, const TrueInstances& truth,
+                  const LabelSpace& label_space, const ObjectModel::Config& config) {
+  const GroundTruthObject& object = truth.objects()[index];
+  const RgbdFrame& frame = choice.frame;
+  ViewCase result{index,
+                  {.stamp_ns = frame.stamp_ns,
+                   .camera = frame.camera,
+                   .T_world_camera = frame.T_world_camera,
+                   .color = frame.color,
+                   .depth = frame.depth,
+                   .mask = choice.view.mask,
+                   .label = object.label},
+                  truth.cameraPose(frame.stamp_ns, frame.T_world_camera),
+                  ObjectModel(transformed(object.T_world_object, *object.mesh),
+                              ObjectModel::Role::kTruth, config),
+                  {}};
+  const LabelSpace::Entry* label = label_space.find(object.label);
+  SingleViewRow& row = result.row;
+  row.object = object.name;
+  row.class_name = label ? label->name : "unknown";
+  row.subtype = object.subtype;
+  row.stamp_ns = frame.stamp_ns;
+  row.pixels = choice.view.pixels;
+  row.cut = choice.view.cut;
+  row.distance_m = (result.truth.box().center() - result.T_world_camera.translation()).norm();
+  row.seen_fraction = truth.visibleFraction(index, frame.camera, result.T_world_camera);
+  return result;
+}
+
+SingleViewRow estimated(const ViewCase& view_case, const ShapeEstimator& estimator,
+                        std::uint64_t seed, const ObjectModel::Config& config) {
+  SingleViewRow row = view_case.row;
+  const auto start = std::chrono::steady_clock::now();
+  const ShapeOutcome outcome =
+      estimator.estimate(view_case.view, {}, hashSeed(seed, view_case.object));
+  row.wall_ms["total"] = millisecondsSince(start);
+  for (const StageTimes::Stage& stage : outcome.times.stages()) {
+    for (const StageTimes::Sample& sample : stage.samples)
+      row.wall_ms[stage.name] += sample.wall_ms;
+  }
+  row.failure = outcome.failure;
+  // The true pose: an estimate in the camera frame is not to blame for odometry.
+  if (outcome.estimate) {
+    score(*outcome.estimate, view_case.T_world_camera, view_case.truth, config, row);
+  }
+  return row;
+}
+
 }  // namespace
 
 bool SingleViewRow::failed() const {
@@ -203,48 +260,17 @@ std::vector<SingleViewRow> runSingleViewStudy(
       on_world(name, world_seed);
       const TrueInstances truth(dataset.groundTruth());
       const std::map<std::size_t, Chosen> chosen = chooseViews(study, dataset, truth);
+      std::vector<ViewCase> cases;
+      for (const auto& [index, choice] : chosen) {
+        cases.push_back(makeCase(choice, index, truth, dataset.labelSpace(), model_config));
+        cases.back().row.dataset = name;
+        cases.back().row.world_seed = world_seed;
+      }
       for (const SingleViewStudy::Estimator& item : study.estimators) {
         const std::shared_ptr<const ShapeEstimator> estimator = item.start(dataset);
-        for (const auto& [index, choice] : chosen) {
-          const GroundTruthObject& object = truth.objects()[index];
-          ShapeObservation view;
-          view.stamp_ns = choice.frame.stamp_ns;
-          view.camera = choice.frame.camera;
-          view.T_world_camera = choice.frame.T_world_camera;
-          view.color = choice.frame.color;
-          view.depth = choice.frame.depth;
-          view.mask = choice.view.mask;
-          view.label = object.label;
-          SingleViewRow row;
-          row.dataset = name;
-          row.world_seed = world_seed;
-          row.estimator = item.name;
-          row.object = object.name;
-          const LabelSpace::Entry* label = dataset.labelSpace().find(object.label);
-          row.class_name = label ? label->name : "unknown";
-          row.subtype = object.subtype;
-          row.stamp_ns = view.stamp_ns;
-          row.pixels = choice.view.pixels;
-          row.cut = choice.view.cut;
-          const Transform T_world_camera = truth.cameraPose(view.stamp_ns, view.T_world_camera);
-          const ObjectModel model(transformed(object.T_world_object, *object.mesh),
-                                  ObjectModel::Role::kTruth, model_config);
-          row.distance_m = (model.box().center() - T_world_camera.translation()).norm();
-          row.seen_fraction = truth.visibleFraction(index, view.camera, T_world_camera);
-          const auto start = std::chrono::steady_clock::now();
-          const ShapeOutcome outcome = estimator->estimate(view, {}, hashSeed(study.seed, index));
-          row.wall_ms["total"] = millisecondsSince(start);
-          for (const StageTimes::Stage& stage : outcome.times.stages()) {
-            for (const StageTimes::Sample& sample : stage.samples) {
-              row.wall_ms[stage.name] += sample.wall_ms;
-            }
-          }
-          row.failure = outcome.failure;
-          if (outcome.estimate) {
-            // The true pose: an estimate in the camera frame is not to blame for odometry.
-            score(*outcome.estimate, T_world_camera, model, model_config, row);
-          }
-          rows.push_back(std::move(row));
+        for (const ViewCase& view_case : cases) {
+          rows.push_back(estimated(view_case, *estimator, study.seed, model_config));
+          rows.back().estimator = item.name;
         }
       }
     }

@@ -14,6 +14,7 @@
 #include "core/parallel/parallel_for.h"
 #include "core/shape/crisp/torch_runtime.h"
 #include "eval/training/checkpoint.h"
+#include "eval/training/half_precision.h"
 #include "eval/training/sharded.h"
 
 namespace hydrabench {

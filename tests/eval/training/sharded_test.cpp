@@ -7,6 +7,7 @@
 #include "core/parallel/parallel_for.h"
 #include "core/shape/crisp/point_network.h"
 #include "core/shape/crisp/torch_runtime.h"
+#include "eval/training/half_precision.h"
 #include "tests/eval/training/toy_samples.h"
 
 namespace hydrabench {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-#include "eval/training/sharded.h"
+#include "eval/training/half_precision.h"
 
 #include <ATen/autocast_mode.h>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include <torch/torch.h>
+
+#include "core/shape/crisp/blas_kernel.h"
 
 namespace hydrabench {
 
@@ -23,10 +23,8 @@ Autocast::~Autocast() {
 
 bool wantsHalfPrecision(const std::string& precision) {
   if (precision != "auto") return precision == "bf16";
-  std::ifstream file("/proc/cpuinfo");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return text.find("amx_bf16") != std::string::npos ||
-         text.find("avx512_bf16") != std::string::npos;
+  const CpuFeatures cpu = cpuFeatures();
+  return cpu.bf16 || cpu.amx;
 }
 
 }  // namespace hydrabench
