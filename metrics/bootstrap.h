@@ -35,6 +35,19 @@ struct DetectionIntervals {
   std::optional<Interval> recall;
   std::optional<Interval> f1;
 };
+/// The three by name, for tables and plots that show all of them.
+struct NamedDetectionScore {
+  const char* name;
+  const char* title;
+  DetectionScore value;
+  std::optional<Interval> DetectionIntervals::*interval;
+};
+inline constexpr NamedDetectionScore kDetectionScores[] = {
+    {"precision", "precision", precision, &DetectionIntervals::precision},
+    {"recall", "recall", recall, &DetectionIntervals::recall},
+    {"f1", "F1", f1, &DetectionIntervals::f1},
+};
+
 DetectionIntervals bootstrapDetection(const CountsByClass& counts, Averaging averaging,
                                       const BootstrapConfig& config);
 

@@ -35,6 +35,7 @@ class Lattice {
         points_(config.resolution + 1),
         half_side_(config.half_side),
         pitch_(2 * config.half_side / config.resolution),
+        level_(static_cast<float>(config.level)),
         slots_(cube(points_), kUnknown) {}
 
   double pitch() const { return pitch_; }
@@ -48,7 +49,8 @@ class Lattice {
   }
   std::size_t evaluated() const { return values_.size(); }
 
-  /// Asks the field at those of the points that are not known. False where a value is not finite.
+  /// Asks the field at those of the points that are not known; the level counts as 0. False where a
+  /// value is not finite.
   bool evaluate(const std::vector<Vector3i>& points) {
     std::vector<Eigen::Vector3f> asked;
     const std::size_t first = values_.size();
@@ -62,6 +64,7 @@ class Lattice {
     parallelForRanges(asked.size(), kBatch, [&](std::size_t begin, std::size_t end) {
       field_(std::span(asked).subspan(begin, end - begin),
              std::span(values_).subspan(first + begin, end - begin));
+      for (std::size_t i = first + begin; i < first + end; ++i) values_[i] -= level_;
     });
     return std::all_of(values_.begin() + static_cast<std::ptrdiff_t>(first), values_.end(),
                        [](float value) { return std::isfinite(value); });
@@ -89,6 +92,7 @@ class Lattice {
   int points_;  ///< along a side
   double half_side_;
   double pitch_;
+  float level_;
   std::vector<int> slots_;
   std::vector<float> values_;
 };
@@ -120,7 +124,7 @@ class Mesher {
     const std::optional<std::vector<CutCell>> cut = followSurface(cells);
     if (!cut || cut->empty()) return std::nullopt;
     triangulate(*cut);
-    return std::move(connectedComponents(mesh_).front());
+    return largePieces();
   }
 
  private:
@@ -207,6 +211,17 @@ class Mesher {
     return (mask & corners) != 0 && (mask & corners) != corners;
   }
 
+  Mesh largePieces() const {
+    std::vector<Mesh> pieces = connectedComponents(mesh_);
+    Mesh kept = std::move(pieces.front());
+    if (config_.min_piece_share >= 1) return kept;  // of two that are equal, one
+    const double enough = config_.min_piece_share * surfaceArea(kept);
+    for (std::size_t i = 1; i < pieces.size() && surfaceArea(pieces[i]) >= enough; ++i) {
+      append(pieces[i], kept);
+    }
+    return kept;
+  }
+
   void triangulate(const std::vector<CutCell>& cut) {
     vertex_of_edge_.assign(3 * lattice_.evaluated(), kUnknown);
     for (const auto& [cell, inside_mask] : cut) {
@@ -246,13 +261,15 @@ void read(ConfigReader& reader, SdfMesherConfig& config) {
   reader.field("resolution", config.resolution, Bounds{4, 512});
   reader.field("coarse_resolution", config.coarse_resolution, Bounds{2, 512});
   reader.field("refine_margin", config.refine_margin, Bounds{0, 10});
+  reader.field("level", config.level, Bounds{-1, 1});
+  reader.field("min_piece_share", config.min_piece_share, Bounds{0, 1});
   if (!isPowerOfTwo(config.resolution)) reader.fault("resolution", "expected a power of two");
   if (!isPowerOfTwo(config.coarse_resolution) || config.coarse_resolution > config.resolution) {
     reader.fault("coarse_resolution", "expected a power of two, at most the resolution");
   }
 }
 
-std::optional<Mesh> meshZeroSet(const SdfField& field, const SdfMesherConfig& config) {
+std::optional<Mesh> meshLevelSet(const SdfField& field, const SdfMesherConfig& config) {
   assert(config.half_side > 0 && isPowerOfTwo(config.resolution));
   assert(isPowerOfTwo(config.coarse_resolution) && config.coarse_resolution <= config.resolution);
   return Mesher(field, config).run();

@@ -26,16 +26,22 @@ struct SdfMesherConfig {
   /// speck of an exact distance; a field that is clamped at a distance c needs less than c over
   /// the half diagonal of a coarse cell.
   double refine_margin = 0.7;
+  /// Value of the field at the surface. A learned distance errs on the far side where it is unsure:
+  /// thin parts that 0 loses are there a little above it.
+  double level = 0;
+  /// Pieces with at least this share of the largest one's area are kept. 1: the largest alone, as
+  /// CRISP does.
+  double min_piece_share = 1;
 };
-/// Keys resolution, coarse_resolution and refine_margin; the cube belongs to the field.
+/// All keys but the cube, which belongs to the field.
 void read(ConfigReader& reader, SdfMesherConfig& config);
 
-/// Mesh of the largest piece (by area) of the zero set, by marching cubes on a grid that is refined
+/// Mesh of the largest piece (by area) of a level set, by marching cubes on a grid that is refined
 /// only near the surface; on the finest level the surface is followed to where the coarser ones saw
 /// none, so thin parts are not cut off. Every grid point is evaluated at most once, in batches
 /// whose bounds do not depend on the number of threads: the result is the same for any number.
-/// Closed, unless the zero set leaves the cube; oriented outwards. nullopt where no zero crossing
-/// is found, or where a value is not finite.
-std::optional<Mesh> meshZeroSet(const SdfField& field, const SdfMesherConfig& config);
+/// Closed, unless the level set leaves the cube; oriented outwards. nullopt where the field does
+/// not cross the level, or where a value is not finite.
+std::optional<Mesh> meshLevelSet(const SdfField& field, const SdfMesherConfig& config);
 
 }  // namespace hydrabench

@@ -15,6 +15,7 @@
 #include "core/shape/crisp/torch_runtime.h"
 #include "eval/app/app.h"
 #include "eval/experiment/provenance.h"
+#include "eval/report/plot.h"
 
 namespace hydrabench {
 namespace {
@@ -89,6 +90,9 @@ int doctor() {
   reportMatrixProducts(line);
 
   // What is missing below costs a comparison or a dataset, not the tool.
+  line("plots", canPlot() ? "gnuplot"
+                          : "missing: scripts are written but not drawn; install gnuplot-nox "
+                            "(scripts/setup does)");
   const char* data = std::getenv("HYDRABENCH_DATA");
   line("third-party data", data && std::filesystem::is_directory(data)
                                ? data

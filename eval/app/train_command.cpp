@@ -13,7 +13,7 @@
 
 #include "eval/app/app.h"
 #include "eval/app/progress.h"
-#include "eval/experiment/provenance.h"
+#include "eval/report/loss_plot.h"
 #include "eval/training/crisp_training.h"
 
 namespace hydrabench {
@@ -95,6 +95,8 @@ int runTrain(const Options& options) {
     fmt::print("stopped before there was a network; the same command goes on from here\n");
     return kDone;
   }
+  const std::string no_picture = drawLosses(options.out / "loss.csv");
+  if (!no_picture.empty()) fmt::print(stderr, "no plot of the losses: {}\n", no_picture);
   fmt::print("{}: wrote {}\n", state == TrainingState::kFinished ? "finished" : "stopped",
              (options.out / "model").string());
   if (state == TrainingState::kStopped) fmt::print("the same command goes on from here\n");

@@ -76,7 +76,7 @@ void meshTorus(benchmark::State& state) {
   setNumThreads(1);
   for (auto _ : state) {
     evaluations = 0;
-    benchmark::DoNotOptimize(meshZeroSet(
+    benchmark::DoNotOptimize(meshLevelSet(
         [&](std::span<const Eigen::Vector3f> points, std::span<float> values) {
           evaluations += points.size();
           for (std::size_t i = 0; i < points.size(); ++i) {

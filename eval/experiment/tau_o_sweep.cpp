@@ -18,18 +18,6 @@
 namespace hydrabench {
 namespace {
 
-struct Score {
-  const char* name;
-  const char* title;
-  DetectionScore value;
-  std::optional<Interval> DetectionIntervals::*interval;
-};
-constexpr Score kScores[] = {
-    {"precision", "precision", precision, &DetectionIntervals::precision},
-    {"recall", "recall", recall, &DetectionIntervals::recall},
-    {"f1", "F1", f1, &DetectionIntervals::f1},
-};
-
 /// A world with the geometry of its candidates measured once.
 class World {
  public:
@@ -124,7 +112,7 @@ std::string tauOCsv(const std::vector<TauOStep>& steps) {
   std::vector<std::string> header = {"tau_o",    "tau_o_end",   "threshold_m",
                                      "matching", "estimates",   "matched_estimates",
                                      "truths",   "found_truths"};
-  for (const Score& score : kScores) {
+  for (const NamedDetectionScore& score : kDetectionScores) {
     for (const char* suffix : {"", "_ci95_low", "_ci95_high"}) {
       header.push_back(std::string(score.name) + suffix);
     }
@@ -138,7 +126,7 @@ std::string tauOCsv(const std::vector<TauOStep>& steps) {
           csvNumber(at.threshold.value),       name(at.matching),
           std::to_string(at.counts.estimates), std::to_string(at.counts.matched_estimates),
           std::to_string(at.counts.truths),    std::to_string(at.counts.found_truths)};
-      for (const Score& score : kScores) {
+      for (const NamedDetectionScore& score : kDetectionScores) {
         const auto& interval = at.ci95.*score.interval;
         cells.push_back(csvNumber(score.value(at.counts)));
         cells.push_back(interval ? csvNumber(interval->low) : "");
@@ -160,7 +148,7 @@ Plot tauOPlot(const std::vector<TauOStep>& steps, Matching matching, double used
     panel.x_label = "threshold τ of the overlap O";
     panel.y_label = "score";
     panel.marks = {{used, fmt::format("{:g}", used)}};
-    for (const Score& score : kScores) {
+    for (const NamedDetectionScore& score : kDetectionScores) {
       PlotCurve& curve = panel.curves.emplace_back();
       curve.label = score.title;
       curve.steps = true;

@@ -21,18 +21,6 @@ namespace {
 
 constexpr std::size_t kIntervalSamples = 41;
 
-struct Score {
-  const char* name;
-  const char* title;
-  DetectionScore value;
-  std::optional<Interval> DetectionIntervals::*interval;
-};
-constexpr Score kScores[] = {
-    {"precision", "Precision", precision, &DetectionIntervals::precision},
-    {"recall", "Recall", recall, &DetectionIntervals::recall},
-    {"f1", "F1", f1, &DetectionIntervals::f1},
-};
-
 const KappaSweep& pooledSweep(const MethodEvaluation& method, Matching matching) {
   for (const KappaCurve& curve : method.kappa_curves) {
     if (curve.class_name == kAllMicro && curve.sweep.matching == matching) return curve.sweep;
@@ -155,7 +143,7 @@ std::vector<KappaReport> kappaReports(const std::vector<MethodEvaluation>& evalu
 std::string kappaIntervalsCsv(const std::vector<KappaReport>& reports,
                               const EvaluationConfig& config) {
   std::vector<std::string> header = {"dataset", "seed", "method", "matching", "kappa"};
-  for (const Score& score : kScores) {
+  for (const NamedDetectionScore& score : kDetectionScores) {
     header.insert(header.end(), {score.name, fmt::format("{}_ci95_low", score.name),
                                  fmt::format("{}_ci95_high", score.name)});
   }
@@ -165,7 +153,7 @@ std::string kappaIntervalsCsv(const std::vector<KappaReport>& reports,
       for (const Sample& sample : samples(*method, report.matching, report.kappa_max, config)) {
         std::vector<std::string> cells = {report.dataset, method->seed, method->method,
                                           name(report.matching), csvNumber(sample.kappa)};
-        for (const Score& score : kScores) {
+        for (const NamedDetectionScore& score : kDetectionScores) {
           const auto& interval = sample.intervals.*score.interval;
           cells.insert(cells.end(),
                        {csvNumber(score.value(sample.counts)), csvText(interval, &Interval::low),
@@ -194,7 +182,7 @@ std::string kappaMarkdown(const std::vector<KappaReport>& reports) {
     for (std::size_t m = 0; m < report.methods.size(); ++m) {
       const KappaSweep& sweep = pooledSweep(*report.methods[m], report.matching);
       text += fmt::format("| {} |", methodLabel(report.methods[m]->method));
-      for (const Score& score : kScores) {
+      for (const NamedDetectionScore& score : kDetectionScores) {
         text += fmt::format(" {} |", shown(meanOverKappa(sweep, score.value, report.kappa_max)));
       }
       for (std::size_t other = 0; other < report.methods.size(); ++other) {
@@ -209,7 +197,7 @@ std::string kappaMarkdown(const std::vector<KappaReport>& reports) {
 
 Plot kappaPlot(const KappaReport& report, const EvaluationConfig& config) {
   Plot plot;
-  for (const Score& score : kScores) {
+  for (const NamedDetectionScore& score : kDetectionScores) {
     PlotPanel& panel = plot.panels.emplace_back();
     panel.x_label = "normalised threshold κ";
     panel.y_label = score.title;
@@ -218,8 +206,8 @@ Plot kappaPlot(const KappaReport& report, const EvaluationConfig& config) {
   for (const MethodEvaluation* method : report.methods) {
     const KappaSweep& sweep = pooledSweep(*method, report.matching);
     const std::vector<Sample> points = samples(*method, report.matching, report.kappa_max, config);
-    for (std::size_t s = 0; s < std::size(kScores); ++s) {
-      const Score& score = kScores[s];
+    for (std::size_t s = 0; s < std::size(kDetectionScores); ++s) {
+      const NamedDetectionScore& score = kDetectionScores[s];
       PlotCurve& curve = plot.panels[s].curves.emplace_back();
       curve.label = methodLabel(method->method);
       if (const auto area = meanOverKappa(sweep, f1, report.kappa_max)) {

@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <torch/torch.h>
 #include <vector>
+
+#include <torch/torch.h>
 
 namespace hydrabench {
 

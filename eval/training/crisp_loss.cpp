@@ -56,9 +56,24 @@ TrainingBatch makeTrainingBatch(std::span<const TrainingSample> samples, const S
     distances = std::copy(sample.distances.begin(), sample.distances.end(), distances);
     const auto found = codes.rows.find(sample.shape);
     *rows++ = found == codes.rows.end() ? -1 : found->second;
+    batch.classes.push_back(sample.class_name);
   }
   return batch;
 }
+
+namespace {
+
+/// [B, 1]
+torch::Tensor quantiles(const CrispTrainingConfig& config, const TrainingBatch& batch) {
+  std::vector<double> values;
+  for (const std::string& name : batch.classes) {
+    const auto found = config.sdf_quantiles.find(name);
+    values.push_back(found == config.sdf_quantiles.end() ? 0.5 : found->second);
+  }
+  return torch::tensor(values, torch::kFloat32).unsqueeze(1);
+}
+
+}  // namespace
 
 CrispLoss crispLoss(const CrispTrainingConfig& config, PointNetwork network,
                     const TrainingBatch& batch, const ShapeCodes& codes) {
@@ -76,8 +91,8 @@ CrispLoss crispLoss(const CrispTrainingConfig& config, PointNetwork network,
                                0.5 * direct_difference.narrow(2, 4, 2).square().sum(-1);
   const torch::Tensor poses = phase.nocs_weight * nocs + phase.direct_weight * direct;
   const auto [pose_loss, pose] = poses.min(1);
-  const torch::Tensor sdf =
-      distanceLoss(network->sdf(batch.points, output.code), batch.distances, config.target_clamp);
+  const torch::Tensor sdf = distanceLoss(network->sdf(batch.points, output.code), batch.distances,
+                                         config.target_clamp, quantiles(config, batch));
   CrispLoss loss;
   loss.total = pose_loss.mean() + phase.sdf_weight * sdf;
   if (codes.codes.defined()) {

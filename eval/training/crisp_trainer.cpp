@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "core/shape/crisp/torch_runtime.h"
 #include "eval/training/checkpoint.h"
 #include "eval/training/half_precision.h"
+#include "eval/training/loss_file.h"
 #include "eval/training/sharded.h"
 
 namespace hydrabench {
@@ -81,22 +81,6 @@ class Average {
   PointNetwork average;
 };
 
-class LossFile {
- public:
-  explicit LossFile(const std::filesystem::path& path) {
-    const bool fresh = !std::filesystem::exists(path);
-    file_.open(path, std::ios::app);
-    if (fresh) {
-      file_ << "phase,step,samples,learning_rate,nocs_error,sdf_l1,direct,code,val_nocs_error,"
-               "val_sdf_l1,val_direct\n";
-    }
-  }
-  void line(const std::string& text) { file_ << text << std::endl; }
-
- private:
-  std::ofstream file_;
-};
-
 CrispLoss validate(const CrispTrainingConfig& config, PointNetwork network,
                    const TrainingPool& pool) {
   const torch::NoGradGuard no_grad;
@@ -130,7 +114,6 @@ class JointTraining {
         optimizer_(makeOptimizer(network, config.joint)),
         average_(network, networkOptions(config)),
         half_(wantsHalfPrecision(config.precision)),
-        file_(out / "loss.csv"),
         state_(out / "network.checkpoint",
                {{"step", [this] { return torch::tensor(step_); },
                  [this](const torch::Tensor& t) { step_ = t.item<int>(); }}}) {
@@ -139,6 +122,7 @@ class JointTraining {
     state_.add("average", average_.average.ptr());
     state_.add("optimizer", optimizer_);
     state_.load();
+    file_.emplace(out / "loss.csv", "network", step_);
     // After loading: it gives the network new memory, which the shards share.
     shards_.emplace(network_, config.shards, [&] { return PointNetwork(networkOptions(config)); });
   }
@@ -153,7 +137,7 @@ class JointTraining {
       std::map<std::string, double> numbers = {
           {"nocs", loss.nocs_error}, {"sdf", loss.sdf}, {"code", loss.code}};
       const int done = step_ + 1;
-      if (done % 50 == 0 || done == config_.joint.steps) report(loss, done);
+      if (done % kLossEvery == 0 || done == config_.joint.steps) report(loss, done);
       progress("network", done, config_.joint.steps, numbers);
       if (done % config_.checkpoint_every == 0 || done == config_.joint.steps) {
         ++step_;
@@ -211,18 +195,20 @@ class JointTraining {
 
   void report(const CrispLoss& loss, int done) {
     const Joint& phase = config_.joint;
-    std::string line = fmt::format("network,{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},", done,
-                                   static_cast<std::int64_t>(done) * phase.batch,
-                                   phase.learning_rate * rateAt(step_, phase), loss.nocs_error,
-                                   loss.sdf, loss.direct, loss.code);
+    std::map<std::string, double> numbers = {
+        {"samples", static_cast<double>(done) * phase.batch},
+        {"learning_rate", phase.learning_rate * rateAt(step_, phase)},
+        {"nocs_error", loss.nocs_error},
+        {"sdf_l1", loss.sdf},
+        {"direct", loss.direct},
+        {"code", loss.code}};
     if (done % config_.validation_every == 0 || done == phase.steps) {
       const CrispLoss held_out = validate(config_, average_.average, held_out_);
-      line +=
-          fmt::format("{:.6g},{:.6g},{:.6g}", held_out.nocs_error, held_out.sdf, held_out.direct);
-    } else {
-      line += ",,";
+      numbers["val_nocs_error"] = held_out.nocs_error;
+      numbers["val_sdf_l1"] = held_out.sdf;
+      numbers["val_direct"] = held_out.direct;
     }
-    file_.line(line);
+    file_->line(done, numbers);
   }
 
   const CrispTrainingConfig& config_;
@@ -234,7 +220,7 @@ class JointTraining {
   Average average_;
   std::optional<Shards<PointNetwork>> shards_;
   bool half_;
-  LossFile file_;
+  std::optional<LossFile> file_;
   int step_ = 0;
   Checkpoint state_;
 };
@@ -253,7 +239,7 @@ TrainingState trainCrisp(const CrispTrainingConfig& config, const std::filesyste
       pool.load(0, static_cast<std::uint64_t>(i));
       progress("worlds", i, config.decoder.worlds, {});
     }
-    codes = trainShapeDecoder(config, pool, network, out / "decoder.checkpoint", progress, stop);
+    codes = trainShapeDecoder(config, pool, network, out, progress, stop);
   }
   if (!codes) return TrainingState::kNoNetworkYet;
   JointTraining joint(config, out, network, *std::move(codes));

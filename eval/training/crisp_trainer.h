@@ -20,12 +20,13 @@ namespace hydrabench {
 /// Samples as tensors.
 struct TrainingBatch {
   PointBatch input;
-  torch::Tensor nocs;       ///< [B, poses, kObjectPoints, 3]
-  torch::Tensor weights;    ///< [B, kObjectPoints]
-  torch::Tensor direct;     ///< [B, poses, 6]
-  torch::Tensor points;     ///< [B, n, 3]
-  torch::Tensor distances;  ///< [B, n]
-  torch::Tensor code_rows;  ///< [B], -1 where there is no code
+  torch::Tensor nocs;                ///< [B, poses, kObjectPoints, 3]
+  torch::Tensor weights;             ///< [B, kObjectPoints]
+  torch::Tensor direct;              ///< [B, poses, 6]
+  torch::Tensor points;              ///< [B, n, 3]
+  torch::Tensor distances;           ///< [B, n]
+  torch::Tensor code_rows;           ///< [B], -1 where there is no code
+  std::vector<std::string> classes;  ///< B names
 };
 TrainingBatch makeTrainingBatch(std::span<const TrainingSample> samples, const ShapeCodes& codes);
 

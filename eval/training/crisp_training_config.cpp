@@ -55,6 +55,8 @@ void read(ConfigReader& reader, CrispTrainingConfig& config) {
   read(worlds, config.worlds);
   auto weights = reader.section("class_weights");
   for (auto& [name, weight] : config.class_weights) weights.field(name, weight, {0, 1e6});
+  auto quantiles = reader.section("sdf_quantiles");
+  for (auto& [name, quantile] : config.sdf_quantiles) quantiles.field(name, quantile, {0.01, 0.99});
   auto network = reader.section("network");
   read(network, config.network);
   auto decoder = reader.section("decoder");

@@ -11,6 +11,7 @@
 #include "core/shape/crisp/torch_runtime.h"
 #include "eval/training/checkpoint.h"
 #include "eval/training/half_precision.h"
+#include "eval/training/loss_file.h"
 #include "eval/training/sharded.h"
 
 namespace hydrabench {
@@ -93,15 +94,18 @@ Batch drawBatch(const std::vector<Entry>& entries, const std::vector<std::int64_
 }  // namespace
 
 torch::Tensor distanceLoss(const torch::Tensor& predicted, const torch::Tensor& target,
-                           double clamp) {
+                           double clamp, const torch::Tensor& quantile) {
   const torch::Tensor clamped = target.clamp(-clamp, clamp);
   const torch::Tensor weight = 0.5 + 0.5 * (clamped.abs() < 0.1).to(torch::kFloat32);
-  return (weight * (predicted.to(torch::kFloat32) - clamped).abs()).mean();
+  const torch::Tensor excess = predicted.to(torch::kFloat32) - clamped;
+  // Twice the pinball loss: as large as the absolute error at the median.
+  const torch::Tensor loss = torch::max(2 * (1 - quantile) * excess, -2 * quantile * excess);
+  return (weight * loss).mean();
 }
 
 std::optional<ShapeCodes> trainShapeDecoder(const CrispTrainingConfig& config,
                                             const TrainingPool& pool, PointNetwork network,
-                                            const std::filesystem::path& checkpoint,
+                                            const std::filesystem::path& out,
                                             const TrainingProgress& progress,
                                             const StopRequest& stop) {
   std::vector<Entry> entries;
@@ -128,8 +132,9 @@ std::optional<ShapeCodes> trainShapeDecoder(const CrispTrainingConfig& config,
                                torch::optim::AdamOptions(config.decoder.learning_rate));
   RowAdam code_optimizer(codes);
   int step = 0;
-  Checkpoint state(checkpoint, {{"step", [&] { return torch::tensor(step); },
-                                 [&](const torch::Tensor& t) { step = t.item<int>(); }}});
+  Checkpoint state(out / "decoder.checkpoint",
+                   {{"step", [&] { return torch::tensor(step); },
+                     [&](const torch::Tensor& t) { step = t.item<int>(); }}});
   state.add("codes", codes);
   state.add("code_mean", code_optimizer.mean);
   state.add("code_square", code_optimizer.square);
@@ -137,6 +142,7 @@ std::optional<ShapeCodes> trainShapeDecoder(const CrispTrainingConfig& config,
   state.add("module", master.ptr());
   state.add("optimizer", optimizer);
   state.load();
+  LossFile file(out / "loss.csv", "decoder", step);
   const bool half = wantsHalfPrecision(config.precision);
   Shards<Decoder> shards(master, config.shards,
                          [&] { return Decoder(PointNetwork(network->options())); });
@@ -186,6 +192,11 @@ std::optional<ShapeCodes> trainShapeDecoder(const CrispTrainingConfig& config,
     double loss = 0;
     for (const double part : losses) loss += part / static_cast<double>(losses.size());
     progress("decoder", step + 1, phase.steps, {{"sdf", loss}});
+    if ((step + 1) % kLossEvery == 0 || step + 1 == phase.steps) {
+      file.line(step + 1, {{"samples", static_cast<double>(step + 1) * phase.shapes_per_step},
+                           {"learning_rate", phase.learning_rate * decay},
+                           {"sdf_l1", loss}});
+    }
     if ((step + 1) % config.checkpoint_every == 0 || step + 1 == phase.steps) {
       ++step;
       state.save();

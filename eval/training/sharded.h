@@ -5,8 +5,9 @@
 #pragma once
 
 #include <functional>
-#include <torch/torch.h>
 #include <vector>
+
+#include <torch/torch.h>
 
 namespace hydrabench {
 

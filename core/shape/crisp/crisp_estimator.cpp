@@ -147,7 +147,7 @@ ShapeOutcome CrispEstimator::estimate(const ShapeObservation& best,
   std::atomic<bool> not_finite = false;
   {
     const StageTimes::Scope scope(outcome.times, "mesh");
-    mesh = meshZeroSet(watched(prediction.field, not_finite), config_.mesh);
+    mesh = meshLevelSet(watched(prediction.field, not_finite), config_.mesh);
   }
   if (not_finite) return failed(std::move(outcome), kNotFinite);
   if (!mesh) return failed(std::move(outcome), kNoSurface);

@@ -5,8 +5,9 @@
 #pragma once
 
 #include <array>
-#include <torch/torch.h>
 #include <vector>
+
+#include <torch/torch.h>
 
 #include "core/shape/crisp/vit.h"
 

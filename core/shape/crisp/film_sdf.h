@@ -4,8 +4,9 @@
 // Includes libtorch: for the sources of core/shape/crisp and of the trainers only.
 #pragma once
 
-#include <torch/torch.h>
 #include <vector>
+
+#include <torch/torch.h>
 
 namespace hydrabench {
 

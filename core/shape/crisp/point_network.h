@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+
 #include <torch/torch.h>
 
 #include "core/shape/crisp/film_sdf.h"

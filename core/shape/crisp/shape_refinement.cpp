@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <torch/torch.h>
 
 #include "core/shape/crisp/object_points.h"

@@ -23,12 +23,12 @@ namespace hydrabench {
 /// camera to them, and past the object, is free. Stays near the estimate it began with.
 struct ShapeRefinementConfig {
   bool enabled = false;
-  int steps = 40;
+  int steps = 60;
   int surface_points = 256;    ///< per step, of all views
   int free_points = 384;       ///< per step, of all views
   int max_other_views = 0;     ///< 0: the best view alone
   double pose_rate = 0.008;    ///< of Adam; object units and radians
-  double code_rate = 0.02;     ///< in units of the spread of codes
+  double code_rate = 0.04;     ///< in units of the spread of codes
   double max_residual = 0.15;  ///< object units; farther points say no more than that
   double free_weight = 1.0;
   double free_margin = 0.02;  ///< object units: free points are at least so far outside

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/shape/crisp/torch_runtime.h"
 
+#include <algorithm>
+#include <chrono>
+
 #include <ATen/Context.h>
 #include <ATen/Functions.h>
 #include <ATen/Parallel.h>
-#include <algorithm>
-#include <chrono>
 #include <torch/version.h>
 
 namespace hydrabench {

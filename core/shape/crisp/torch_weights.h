@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+
 #include <torch/torch.h>
 
 #include "core/io/safetensors.h"

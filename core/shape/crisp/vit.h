@@ -5,8 +5,9 @@
 #pragma once
 
 #include <cstdint>
-#include <torch/torch.h>
 #include <vector>
+
+#include <torch/torch.h>
 
 #include "core/shape/crisp/transformer_block.h"
 

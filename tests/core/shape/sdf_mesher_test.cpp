@@ -74,9 +74,9 @@ long eulerNumber(const Mesh& mesh) {
   return static_cast<long>(mesh.vertices.size()) - static_cast<long>(mesh.faces.size()) / 2;
 }
 
-TEST(MeshZeroSet, PutsTheVerticesOfASphereOnItsRadius) {
-  const auto mesh =
-      meshZeroSet(fieldOf([](const Vector3f& p) { return sphere(p, Vector3f::Zero(), 0.7f); }), {});
+TEST(MeshLevelSet, PutsTheVerticesOfASphereOnItsRadius) {
+  const auto mesh = meshLevelSet(
+      fieldOf([](const Vector3f& p) { return sphere(p, Vector3f::Zero(), 0.7f); }), {});
   ASSERT_TRUE(mesh);
   for (const Eigen::Vector3d& v : mesh->vertices) EXPECT_NEAR(v.norm(), 0.7, 3e-4);
   EXPECT_TRUE(analyzeTopology(*mesh).watertight());
@@ -85,45 +85,72 @@ TEST(MeshZeroSet, PutsTheVerticesOfASphereOnItsRadius) {
   EXPECT_NEAR(signedVolume(*mesh), volume, 0.002 * volume);  // positive: oriented outwards
 }
 
-TEST(MeshZeroSet, KeepsTheHoleOfATorus) {
-  const auto mesh = meshZeroSet(fieldOf(torus), {});
+TEST(MeshLevelSet, KeepsTheHoleOfATorus) {
+  const auto mesh = meshLevelSet(fieldOf(torus), {});
   ASSERT_TRUE(mesh);
   EXPECT_TRUE(analyzeTopology(*mesh).watertight());
   EXPECT_EQ(eulerNumber(*mesh), 0);
 }
 
-TEST(MeshZeroSet, KeepsTheLargerOfTwoSpheres) {
-  const auto mesh = meshZeroSet(fieldOf([](const Vector3f& p) {
-                                  return std::min(sphere(p, Vector3f(-0.6f, 0, 0), 0.3f),
-                                                  sphere(p, Vector3f(0.5f, 0, 0), 0.4f));
-                                }),
-                                {});
+TEST(MeshLevelSet, KeepsTheLargerOfTwoSpheres) {
+  const auto mesh = meshLevelSet(fieldOf([](const Vector3f& p) {
+                                   return std::min(sphere(p, Vector3f(-0.6f, 0, 0), 0.3f),
+                                                   sphere(p, Vector3f(0.5f, 0, 0), 0.4f));
+                                 }),
+                                 {});
   ASSERT_TRUE(mesh);
   EXPECT_EQ(analyzeTopology(*mesh).components, 1u);
   for (const Eigen::Vector3d& v : mesh->vertices) EXPECT_GT(v.x(), 0);
 }
 
-TEST(MeshZeroSet, IsUndefinedWhereNothingCrossesZero) {
-  EXPECT_FALSE(meshZeroSet(fieldOf([](const Vector3f&) { return 0.3f; }), {}));
-  EXPECT_FALSE(meshZeroSet(fieldOf([](const Vector3f&) { return -0.3f; }), {}));
-  EXPECT_FALSE(meshZeroSet(fieldOf([](const Vector3f&) { return 0.0f; }), {}));
+TEST(MeshLevelSet, KeepsPiecesAsLargeAsAskedFor) {
+  // Areas as 16, 9 and 1.
+  const auto spheres = fieldOf([](const Vector3f& p) {
+    return std::min({sphere(p, Vector3f(-0.6f, 0, 0), 0.3f), sphere(p, Vector3f(0.5f, 0, 0), 0.4f),
+                     sphere(p, Vector3f(0, 0.8f, 0), 0.1f)});
+  });
+  SdfMesherConfig config;
+  const auto pieces = [&](double min_share) {
+    config.min_piece_share = min_share;
+    const auto mesh = meshLevelSet(spheres, config);
+    return mesh ? analyzeTopology(*mesh).components : 0;
+  };
+  EXPECT_EQ(pieces(1), 1u);
+  EXPECT_EQ(pieces(0.5), 2u);
+  EXPECT_EQ(pieces(0.1), 2u);
+  EXPECT_EQ(pieces(0), 3u);
 }
 
-TEST(MeshZeroSet, IsUndefinedWhereAValueIsNotFinite) {
+TEST(MeshLevelSet, LiesWhereTheFieldHasTheLevel) {
+  SdfMesherConfig config;
+  config.level = 0.05;
+  const auto mesh = meshLevelSet(
+      fieldOf([](const Vector3f& p) { return sphere(p, Vector3f::Zero(), 0.7f); }), config);
+  ASSERT_TRUE(mesh);
+  for (const Eigen::Vector3d& v : mesh->vertices) EXPECT_NEAR(v.norm(), 0.75, 3e-4);
+}
+
+TEST(MeshLevelSet, IsUndefinedWhereNothingCrossesZero) {
+  EXPECT_FALSE(meshLevelSet(fieldOf([](const Vector3f&) { return 0.3f; }), {}));
+  EXPECT_FALSE(meshLevelSet(fieldOf([](const Vector3f&) { return -0.3f; }), {}));
+  EXPECT_FALSE(meshLevelSet(fieldOf([](const Vector3f&) { return 0.0f; }), {}));
+}
+
+TEST(MeshLevelSet, IsUndefinedWhereAValueIsNotFinite) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(meshZeroSet(fieldOf([](const Vector3f&) { return kNan; }), {}));
+  EXPECT_FALSE(meshLevelSet(fieldOf([](const Vector3f&) { return kNan; }), {}));
   const auto sphereBut = [](float wrong, float from_x) {
     return fieldOf([=](const Vector3f& p) {
       return p.x() > from_x ? wrong : sphere(p, Vector3f::Zero(), 0.7f);
     });
   };
-  EXPECT_FALSE(meshZeroSet(sphereBut(kNan, 0.69f), {}));
-  EXPECT_FALSE(meshZeroSet(sphereBut(std::numeric_limits<float>::infinity(), 0.69f), {}));
-  EXPECT_FALSE(meshZeroSet(sphereBut(-std::numeric_limits<float>::infinity(), 0.69f), {}));
+  EXPECT_FALSE(meshLevelSet(sphereBut(kNan, 0.69f), {}));
+  EXPECT_FALSE(meshLevelSet(sphereBut(std::numeric_limits<float>::infinity(), 0.69f), {}));
+  EXPECT_FALSE(meshLevelSet(sphereBut(-std::numeric_limits<float>::infinity(), 0.69f), {}));
 }
 
-TEST(MeshZeroSet, IsOpenOnlyWhereTheSurfaceLeavesTheCube) {
-  const auto mesh = meshZeroSet(fieldOf([](const Vector3f& p) { return p.z() - 0.21f; }), {});
+TEST(MeshLevelSet, IsOpenOnlyWhereTheSurfaceLeavesTheCube) {
+  const auto mesh = meshLevelSet(fieldOf([](const Vector3f& p) { return p.z() - 0.21f; }), {});
   ASSERT_TRUE(mesh);
   const MeshTopology topology = analyzeTopology(*mesh);
   EXPECT_NEAR(topology.boundary_length, 4 * 2.2, 1e-6);
@@ -131,29 +158,29 @@ TEST(MeshZeroSet, IsOpenOnlyWhereTheSurfaceLeavesTheCube) {
   EXPECT_NEAR(surfaceArea(*mesh), 2.2 * 2.2, 1e-6);
 }
 
-TEST(MeshZeroSet, IsClosedWhereTheSurfaceMeetsGridPoints) {
+TEST(MeshLevelSet, IsClosedWhereTheSurfaceMeetsGridPoints) {
   // Pitch 2.2 / 64: the faces of the cube lie on grid planes.
   constexpr float kHalf = 16 * 2.2f / 64;
   const auto mesh =
-      meshZeroSet(fieldOf([](const Vector3f& p) { return p.cwiseAbs().maxCoeff() - kHalf; }), {});
+      meshLevelSet(fieldOf([](const Vector3f& p) { return p.cwiseAbs().maxCoeff() - kHalf; }), {});
   ASSERT_TRUE(mesh);
   EXPECT_TRUE(analyzeTopology(*mesh).watertight());
 }
 
-class MeshZeroSetCases : public ::testing::TestWithParam<float (*)(const Vector3f&)> {};
-INSTANTIATE_TEST_SUITE_P(Shapes, MeshZeroSetCases, ::testing::Values(&torus, &stool));
+class MeshLevelSetCases : public ::testing::TestWithParam<float (*)(const Vector3f&)> {};
+INSTANTIATE_TEST_SUITE_P(Shapes, MeshLevelSetCases, ::testing::Values(&torus, &stool));
 
-TEST_P(MeshZeroSetCases, EqualsTheDenseGrid) {
-  const auto sparse = meshZeroSet(fieldOf(GetParam()), {});
-  const auto all = meshZeroSet(fieldOf(GetParam()), dense());
+TEST_P(MeshLevelSetCases, EqualsTheDenseGrid) {
+  const auto sparse = meshLevelSet(fieldOf(GetParam()), {});
+  const auto all = meshLevelSet(fieldOf(GetParam()), dense());
   ASSERT_TRUE(sparse && all);
   EXPECT_EQ(triangles(*sparse), triangles(*all));
 }
 
-TEST_P(MeshZeroSetCases, AsksForFewPointsAndForNoneTwice) {
+TEST_P(MeshLevelSetCases, AsksForFewPointsAndForNoneTwice) {
   std::vector<std::array<float, 3>> asked;
   setNumThreads(1);
-  const auto mesh = meshZeroSet(
+  const auto mesh = meshLevelSet(
       [&](std::span<const Vector3f> points, std::span<float> values) {
         for (std::size_t i = 0; i < points.size(); ++i) {
           asked.push_back({points[i].x(), points[i].y(), points[i].z()});
@@ -169,20 +196,20 @@ TEST_P(MeshZeroSetCases, AsksForFewPointsAndForNoneTwice) {
   EXPECT_EQ(std::adjacent_find(asked.begin(), asked.end()), asked.end());
 }
 
-TEST_P(MeshZeroSetCases, IsTheSameForAnyNumberOfThreads) {
+TEST_P(MeshLevelSetCases, IsTheSameForAnyNumberOfThreads) {
   setNumThreads(1);
-  const auto alone = meshZeroSet(fieldOf(GetParam()), {});
+  const auto alone = meshLevelSet(fieldOf(GetParam()), {});
   setNumThreads(5);
-  const auto together = meshZeroSet(fieldOf(GetParam()), {});
+  const auto together = meshLevelSet(fieldOf(GetParam()), {});
   setNumThreads(0);
   ASSERT_TRUE(alone && together);
   EXPECT_TRUE(same(*alone, *together));
 }
 
-TEST(MeshZeroSet, FollowsThinPartsThatTheCoarseGridMisses) {
+TEST(MeshLevelSet, FollowsThinPartsThatTheCoarseGridMisses) {
   SdfMesherConfig config;
   config.refine_margin = 0;  // refines only where the coarse corners differ in sign: the seat
-  const auto mesh = meshZeroSet(fieldOf(stool), config);
+  const auto mesh = meshLevelSet(fieldOf(stool), config);
   ASSERT_TRUE(mesh);
   EXPECT_NEAR(bounds(*mesh).min().z(), -0.94, 0.01);
   EXPECT_TRUE(analyzeTopology(*mesh).watertight());
@@ -191,16 +218,16 @@ TEST(MeshZeroSet, FollowsThinPartsThatTheCoarseGridMisses) {
 /// Half way between planes of the grid of 32: no corner of a cell of that grid is inside.
 float sheet(const Vector3f& p) { return std::abs(p.z() - 2.2f / 64) - 0.02f; }
 
-TEST(MeshZeroSet, SeesASheetThinnerThanACoarseCell) {
-  const auto mesh = meshZeroSet(fieldOf(sheet), {});
+TEST(MeshLevelSet, SeesASheetThinnerThanACoarseCell) {
+  const auto mesh = meshLevelSet(fieldOf(sheet), {});
   ASSERT_TRUE(mesh);
   EXPECT_NEAR(surfaceArea(*mesh), 2.2 * 2.2, 1e-6);  // one of the two sides
 }
 
-TEST(MeshZeroSet, WorksOnAClampedDistance) {
-  const auto exact = meshZeroSet(fieldOf(stool), {});
-  const auto clamped =
-      meshZeroSet(fieldOf([](const Vector3f& p) { return std::clamp(stool(p), -0.1f, 0.1f); }), {});
+TEST(MeshLevelSet, WorksOnAClampedDistance) {
+  const auto exact = meshLevelSet(fieldOf(stool), {});
+  const auto clamped = meshLevelSet(
+      fieldOf([](const Vector3f& p) { return std::clamp(stool(p), -0.1f, 0.1f); }), {});
   ASSERT_TRUE(exact && clamped);
   EXPECT_EQ(triangles(*exact), triangles(*clamped));
 }

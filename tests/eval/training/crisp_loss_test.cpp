@@ -47,6 +47,20 @@ TEST(DistanceLoss, CountsWhatIsFarFromTheSurfaceHalf) {
   EXPECT_NEAR(distanceLoss(predicted, target, 0.25).item<double>(), (0.03 + 0.5 * 0.1) / 2, 1e-7);
 }
 
+TEST(DistanceLoss, IsLeastAtTheQuantile) {
+  // A point that is inside in four of ten views that look the same: -0.05 there and 0.05 in the rest.
+  torch::Tensor target = torch::full({10}, 0.05f);
+  target.narrow(0, 0, 4).fill_(-0.05f);
+  const auto loss = [&](double distance, float quantile) {
+    return distanceLoss(torch::full({10}, distance), target, 0.25, torch::tensor(quantile))
+        .item<double>();
+  };
+  EXPECT_LT(loss(0.05, 0.5f), loss(-0.05, 0.5f));
+  EXPECT_LT(loss(-0.05, 0.35f), loss(0.05, 0.35f));
+  EXPECT_NEAR(loss(0.05, 0.35f), 0.4 * 2 * 0.65 * 0.1, 1e-6);
+  EXPECT_NEAR(loss(-0.05, 0.35f), 0.6 * 2 * 0.35 * 0.1, 1e-6);
+}
+
 TEST(DistanceLoss, ClampsTheTargetAndNotThePrediction) {
   torch::Tensor predicted = torch::tensor({0.9f, -0.9f}).requires_grad_();
   const torch::Tensor loss = distanceLoss(predicted, torch::tensor({0.5f, -0.4f}), 0.25);

@@ -150,7 +150,7 @@ TEST_F(CrispTraining, TheDecoderLearnsFourShapesByHeart) {
   pool.load(0, 1);
   std::vector<double> losses;
   const std::optional<ShapeCodes> codes = trainShapeDecoder(
-      config_, pool, newNetwork(config_), folder_ / "decoder.checkpoint",
+      config_, pool, newNetwork(config_), folder_.path(),
       [&](const auto&, int, int, const auto& numbers) { losses.push_back(numbers.at("sdf")); },
       [] { return false; });
   EXPECT_GT(fall(losses), 2);

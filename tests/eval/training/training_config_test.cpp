@@ -54,6 +54,7 @@ TEST(CrispTrainingConfig, ABatchHasToDivideIntoShardsAndADimIntoHeads) {
 
 TEST(CrispTrainingConfig, NamesAClassItDoesNotKnow) {
   EXPECT_THAT(faultOf("class_weights: {chairs: 1}\n"), HasSubstr("chair"));
+  EXPECT_THAT(faultOf("sdf_quantiles: {chairs: 0.3}\n"), HasSubstr("chair"));
 }
 
 TEST(CrispTrainingConfig, ChoosesNoOtherSplitThanItsOwn) {
