@@ -37,6 +37,7 @@ constexpr CommandEntry kCommands[] = {
     {"map", "map one dataset with one method", addMap, true},
     {"evaluate", "score predictions against the ground truth of a dataset", addEvaluate, true},
     {"report", "print or convert the table of a result folder", addReport},
+    {"audit", "find the whole numbers behind a published table and what they contradict", addAudit},
     {"sweep", "decide the candidates of a run anew over a range of thresholds", addSweep, true},
     {"templates", "write the CAD templates of the method template_cad as PLY files", addTemplates},
     {"estimate", "estimate shapes from single views and score them: a shape estimator by itself",

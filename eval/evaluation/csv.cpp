@@ -79,6 +79,15 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
   return value;
 }
 
+std::vector<std::vector<std::string>> readCsvCells(const std::filesystem::path& path) {
+  const std::string text = readFile(path);
+  std::vector<std::vector<std::string>> records;
+  for (std::size_t position = 0; position < text.size();) {
+    records.push_back(nextRecord(text, position));
+  }
+  return records;
+}
+
 CsvTable readCsv(const std::filesystem::path& path, const std::vector<std::string>& columns) {
   const std::string text = readFile(path);
   CsvTable table{path, columns, {}};

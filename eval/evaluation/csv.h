@@ -25,6 +25,9 @@ struct CsvTable {
   std::optional<double> number(std::size_t row, std::size_t column) const;
 };
 
+/// Cells of all records, the header's too, whatever their number.
+std::vector<std::vector<std::string>> readCsvCells(const std::filesystem::path& path);
+
 /// Reads a CSV file whose header must be `columns`. Throws InputError naming file and line.
 CsvTable readCsv(const std::filesystem::path& path, const std::vector<std::string>& columns);
 

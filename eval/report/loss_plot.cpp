@@ -22,9 +22,9 @@ struct Panel {
   const char* y_label;
 };
 constexpr Panel kPanels[] = {
-    {"Decoder alone", "decoder", "sdf_l1", "distance, object coordinates"},
+    {"Decoder alone", "decoder", "sdf_l1", "mean error"},
     {"Object coordinates", "network", "nocs_error", "mean error"},
-    {"Shape from a view", "network", "sdf_l1", "distance, object coordinates"},
+    {"Shape from a view", "network", "sdf_l1", "mean error"},
     {"Pose by the network", "network", "direct", "loss"},
 };
 

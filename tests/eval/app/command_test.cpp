@@ -263,6 +263,16 @@ TEST_F(Command, PrintsItsVersion) {
   }
 }
 
+TEST_F(Command, AuditsThePapersTable) {
+  const Outcome outcome = run("audit configs/tables/hydra_plus_plus_table1.csv");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("ground-truth objects: 88"));
+  EXPECT_THAT(outcome.out, HasSubstr("many-to-one: in 9 of 10 rows"));
+  EXPECT_EQ(run("audit configs/tables/hydra_plus_plus_table1.csv --max-objects 50").exit_code, 1);
+  expectFault("audit README.md", "expected columns method, P, R and F1");
+  expectFault("audit absent.tex", "absent.tex");
+}
+
 TEST_F(Command, PrintsTheDefaultsThatAreWrittenDown) {
   EXPECT_EQ(run("defaults").out,
             readText(std::filesystem::path(HYDRABENCH_SOURCE_DIR) / "configs/default.yaml"))
