@@ -36,12 +36,12 @@ struct SdfMesherConfig {
 /// All keys but the cube, which belongs to the field.
 void read(ConfigReader& reader, SdfMesherConfig& config);
 
-/// Mesh of the largest piece (by area) of a level set, by marching cubes on a grid that is refined
-/// only near the surface; on the finest level the surface is followed to where the coarser ones saw
-/// none, so thin parts are not cut off. Every grid point is evaluated at most once, in batches
-/// whose bounds do not depend on the number of threads: the result is the same for any number.
-/// Closed, unless the level set leaves the cube; oriented outwards. nullopt where the field does
-/// not cross the level, or where a value is not finite.
+/// Mesh of the largest piece (by area) of a level set, and of others as the config says, by
+/// marching cubes on a grid that is refined only near the surface; on the finest level the surface
+/// is followed to where the coarser ones saw none, so thin parts are not cut off. Every grid point
+/// is evaluated at most once, in batches whose bounds do not depend on the number of threads: the
+/// result is the same for any number. Closed, unless the level set leaves the cube; oriented
+/// outwards. nullopt where the field does not cross the level, or where a value is not finite.
 std::optional<Mesh> meshLevelSet(const SdfField& field, const SdfMesherConfig& config);
 
 }  // namespace hydrabench
