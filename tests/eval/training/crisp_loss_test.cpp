@@ -48,7 +48,8 @@ TEST(DistanceLoss, CountsWhatIsFarFromTheSurfaceHalf) {
 }
 
 TEST(DistanceLoss, IsLeastAtTheQuantile) {
-  // A point that is inside in four of ten views that look the same: -0.05 there and 0.05 in the rest.
+  // A point that is inside in four of ten views that look the same: -0.05 there and 0.05 in the
+  // rest.
   torch::Tensor target = torch::full({10}, 0.05f);
   target.narrow(0, 0, 4).fill_(-0.05f);
   const auto loss = [&](double distance, float quantile) {
