@@ -23,6 +23,7 @@ if(NOT embree_FOUND)
 endif()
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED CONFIG)
 # Any libtorch: Debian's, or one that Torch_DIR or CMAKE_PREFIX_PATH points at (CUDA included).

@@ -213,6 +213,26 @@ void ConfigDocument::set(const std::string& assignment) {
   }
 }
 
+void ConfigDocument::remove(const std::string& key) {
+  root_ = std::make_shared<Node>(*root_);
+  Node* node = root_.get();
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t dot = key.find('.', begin);
+    const std::string name = key.substr(begin, dot - begin);
+    const auto place = std::find_if(node->members.begin(), node->members.end(),
+                                    [&](const auto& entry) { return entry.first == name; });
+    if (place == node->members.end()) return;
+    if (dot == std::string::npos) {
+      node->members.erase(place);
+      return;
+    }
+    place->second = std::make_shared<Node>(*place->second);  // trees may share it
+    node = place->second.get();
+    begin = dot + 1;
+  }
+}
+
 const std::string& ConfigDocument::name() const { return root_->source->name; }
 fs::path ConfigDocument::folder() const { return root_->source->folder; }
 

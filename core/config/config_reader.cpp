@@ -50,6 +50,7 @@ struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
   std::string path;  ///< "sensor.noise.", empty at the top
   NodePtr document;
   std::shared_ptr<std::vector<Fault>> faults;
+  std::shared_ptr<std::vector<std::filesystem::path>> paths;
   std::weak_ptr<Impl>
       root;  ///< the outermost reader; the document's tree of readers must not own itself
   std::deque<Declared> declared;
@@ -80,6 +81,7 @@ struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
     impl->path = path + prefix + ".";
     impl->document = document;
     impl->faults = faults;
+    impl->paths = paths;
     impl->root = path.empty() ? weak_from_this() : root;
     return impl;
   }
@@ -204,6 +206,7 @@ ConfigReader::ConfigReader(const ConfigDocument& document) : impl_(std::make_sha
   impl_->node = document.root();
   impl_->document = document.root();
   impl_->faults = std::make_shared<std::vector<Fault>>();
+  impl_->paths = std::make_shared<std::vector<std::filesystem::path>>();
 }
 ConfigReader::ConfigReader(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ConfigReader::~ConfigReader() = default;
@@ -247,7 +250,10 @@ void ConfigReader::path(std::string_view key, std::filesystem::path& value) {
     value = (node->source->folder / value).lexically_normal();
     impl_->declare(key).value = yamlText(value.string());
   }
+  if (!value.empty()) impl_->paths->push_back(value);
 }
+
+const std::vector<std::filesystem::path>& ConfigReader::paths() const { return *impl_->paths; }
 
 void ConfigReader::choice(std::string_view key, std::string& value,
                           const std::vector<std::string>& allowed) {

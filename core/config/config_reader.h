@@ -26,6 +26,8 @@ class ConfigDocument {
   /// InputError without '='. Whether the key is known is found out by the reader, as for keys in
   /// files. A ConfigReader made before does not see it.
   void set(const std::string& assignment);
+  /// Takes a.b.c out, so that its default holds; nothing happens where it is not given.
+  void remove(const std::string& key);
   const std::string& name() const;
   /// Folder relative paths in the document are relative to.
   std::filesystem::path folder() const;
@@ -95,6 +97,9 @@ class ConfigReader {
   /// The document with every declared key at its resolved value, as YAML in declaration order:
   /// written beside every result.
   std::string resolved() const;
+
+  /// Every path read so far that is not empty, as resolved; of the whole document.
+  const std::vector<std::filesystem::path>& paths() const;
 
  private:
   struct Impl;

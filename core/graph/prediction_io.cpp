@@ -12,7 +12,30 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* kGraphFile = "scene_graph.json";
 constexpr const char* kPredictionFile = "prediction.json";
+
 }  // namespace
+
+PredictionDescription readPredictionDescription(const fs::path& folder) {
+  const fs::path file = folder / kPredictionFile;
+  const nlohmann::json json = parseJsonFile(file);
+  const JsonField field(json, file.string() + ": ");
+  PredictionDescription description;
+  description.method = field.at("method").text();
+  if (const auto notes = field.find("notes")) {
+    for (std::size_t i = 0; i < notes->size(); ++i) {
+      description.notes.push_back(notes->item(i).text());
+    }
+  }
+  return description;
+}
+
+void writePredictionDescription(const fs::path& folder, const PredictionDescription& description) {
+  JsonText json;
+  json.beginObject().member("method", description.method).key("notes").beginArray();
+  for (const std::string& note : description.notes) json.value(note);
+  json.endArray().endObject().newline();
+  writeFileAtomic(folder / kPredictionFile, json.text());
+}
 
 Prediction readPrediction(const fs::path& path) {
   Prediction prediction;
@@ -34,27 +57,26 @@ Prediction readPrediction(const fs::path& path) {
   prediction.method =
       graph_file.filename() == kGraphFile ? folder.filename().string() : graph_file.stem().string();
   if (graph_file.filename() == kGraphFile && fs::exists(folder / kPredictionFile)) {
-    const fs::path description = folder / kPredictionFile;
-    const nlohmann::json json = parseJsonFile(description);
-    const JsonField field(json, description.string() + ": ");
-    prediction.method = field.at("method").text();
-    if (const auto notes = field.find("notes")) {
-      for (std::size_t i = 0; i < notes->size(); ++i) {
-        prediction.notes.push_back(notes->item(i).text());
-      }
-    }
+    const PredictionDescription description = readPredictionDescription(folder);
+    prediction.method = description.method;
+    prediction.notes = description.notes;
   }
   if (graph_file.filename() == kGraphFile) prediction.candidates = readCandidates(folder);
   return prediction;
 }
 
+Prediction readCandidatePrediction(const fs::path& folder) {
+  const PredictionDescription description = readPredictionDescription(folder);
+  Prediction prediction;
+  prediction.method = description.method;
+  prediction.notes = description.notes;
+  prediction.candidates = readCandidates(folder);
+  return prediction;
+}
+
 void fillPredictionFolder(const fs::path& folder, const Prediction& prediction) {
   writeSparkDsg(folder / kGraphFile, prediction.graph);
-  JsonText json;
-  json.beginObject().member("method", prediction.method).key("notes").beginArray();
-  for (const std::string& note : prediction.notes) json.value(note);
-  json.endArray().endObject().newline();
-  writeFileAtomic(folder / kPredictionFile, json.text());
+  writePredictionDescription(folder, {prediction.method, prediction.notes});
   if (!prediction.candidates.empty()) writeCandidates(folder, prediction.candidates);
 }
 

@@ -26,6 +26,17 @@ ObjectId objectNodeId(std::uint64_t index);
 /// Prediction folder: scene_graph.json (and prediction.json with the method's name, and the
 /// candidates, see candidate_io.h). A bare scene_graph.json is accepted as well.
 Prediction readPrediction(const std::filesystem::path& path);
+/// Its prediction.json.
+struct PredictionDescription {
+  std::string method;
+  std::vector<std::string> notes;
+};
+PredictionDescription readPredictionDescription(const std::filesystem::path& folder);
+void writePredictionDescription(const std::filesystem::path& folder,
+                                const PredictionDescription& description);
+/// Without the graph, for what is decided from the candidates anew: a graph of full meshes takes
+/// long to read.
+Prediction readCandidatePrediction(const std::filesystem::path& folder);
 void writePrediction(const std::filesystem::path& folder, const Prediction& prediction);
 /// The same into a folder that the caller makes appear.
 void fillPredictionFolder(const std::filesystem::path& folder, const Prediction& prediction);

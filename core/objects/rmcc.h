@@ -30,6 +30,7 @@ struct RmccConfig {
   /// The depth residual must be below the larger of the two.
   double max_depth_residual_m = 0.05;
   double max_depth_residual_share = 0.05;  ///< of the diagonal of the estimate's world box
+  friend bool operator==(const RmccConfig&, const RmccConfig&) = default;
 };
 void read(ConfigReader& reader, RmccConfig& config);
 

@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <map>
 #include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/graph/spark_dsg_json.h"
 
 namespace hydrabench {
 namespace {
+
+constexpr const char* kNotePrefix = "shapes: ";
 
 /// An object while others may still be merged into it.
 struct Node {
@@ -165,6 +171,40 @@ void record(const Decision& decision, std::span<ShapeCandidate> candidates) {
       candidates[i].object = objectNodeId(static_cast<std::uint64_t>(verdict.object));
     }
   }
+}
+
+std::string decisionNote(const Decision& decision) {
+  std::map<std::string, std::size_t> rejected;  // by reason
+  std::size_t num_accepted = 0;
+  for (const Decision::Verdict& verdict : decision.verdicts) {
+    verdict.accepted ? ++num_accepted : ++rejected[verdict.reason];
+  }
+  std::vector<std::string> reasons;
+  for (const auto& [reason, count] : rejected)
+    reasons.push_back(fmt::format("{} {}", count, reason));
+  return fmt::format("{}{} of {} accepted, in {} objects; rejected: {}", kNotePrefix, num_accepted,
+                     decision.verdicts.size(), decision.objects.size(),
+                     reasons.empty() ? "none" : fmt::to_string(fmt::join(reasons, ", ")));
+}
+
+void redecide(Prediction& prediction, const DecisionConfig& config) {
+  const Decision decision = decide(prediction.candidates, config);
+  record(decision, prediction.candidates);
+  prediction.graph.objects =
+      objectNodes(prediction.candidates, decision, prediction.graph.label_space);
+  for (std::string& note : prediction.notes) {
+    if (note.starts_with(kNotePrefix)) note = decisionNote(decision);
+  }
+}
+
+std::vector<std::string> decisionKeys() {
+  return {"rmcc.check",
+          "rmcc.min_overlap",
+          "rmcc.min_coverage",
+          "rmcc.max_depth_residual_m",
+          "rmcc.max_depth_residual_share",
+          "merge_revisited",
+          "merge_evidence"};
 }
 
 void read(ConfigReader& reader, DecisionConfig& config) {

@@ -31,6 +31,7 @@ struct DecisionConfig {
   /// box, which is the view the paper would pick had it been one track. overlap: the one with the
   /// larger O. Of equals the earlier. A shape always wins against what was seen only.
   std::string merge_evidence = "view_volume";
+  friend bool operator==(const DecisionConfig&, const DecisionConfig&) = default;
 };
 /// Reads the keys rmcc, rejected, merge_revisited, merge_evidence.
 void read(ConfigReader& reader, DecisionConfig& config);
@@ -62,5 +63,16 @@ std::vector<ObjectNode> objectNodes(std::span<const ShapeCandidate> candidates,
 
 /// Writes the verdicts into the candidates they are about.
 void record(const Decision& decision, std::span<ShapeCandidate> candidates);
+
+/// How many candidates came to what, for the reader of a table.
+std::string decisionNote(const Decision& decision);
+
+/// Decides the candidates of a finished prediction anew, as if it had been mapped with `config`:
+/// its objects, the verdicts on its candidates and the note about them are replaced. What of the
+/// config had a part in making the candidates (rmcc.mask, rmcc.points, rejected) must be as it was.
+void redecide(Prediction& prediction, const DecisionConfig& config);
+
+/// The keys of a method's config that redecide() can change afterwards.
+std::vector<std::string> decisionKeys();
 
 }  // namespace hydrabench

@@ -66,7 +66,9 @@ SceneGraph HydraPlusPlus::finish() {
 
   const Decision decision = decide(candidates_, config_.decision);
   record(decision, candidates_);
-  notes_ = summary(decision);
+  notes_ = {decisionNote(decision),
+            fmt::format("no shape asked for: {} tracks seen too briefly, {} moving",
+                        num_short_tracks_, num_moving_tracks_)};
   SceneGraph graph;
   graph.label_space = label_space_;
   graph.objects = objectNodes(candidates_, decision, label_space_);
@@ -140,23 +142,6 @@ std::size_t HydraPlusPlus::numKeptFrames() const {
     for (const TrackView& view : views.ordered()) stamps.insert(view.observation.stamp_ns);
   }
   return stamps.size();
-}
-
-std::vector<std::string> HydraPlusPlus::summary(const Decision& decision) const {
-  std::map<std::string, std::size_t> rejected;  // by reason
-  std::size_t num_accepted = 0;
-  for (const Decision::Verdict& verdict : decision.verdicts) {
-    verdict.accepted ? ++num_accepted : ++rejected[verdict.reason];
-  }
-  std::vector<std::string> reasons;
-  for (const auto& [reason, count] : rejected)
-    reasons.push_back(fmt::format("{} {}", count, reason));
-  return {
-      fmt::format("of {} tracks {} gave a shape that was accepted, in {} objects; rejected: {}; "
-                  "not asked for: {} seen too briefly, {} moving",
-                  decision.verdicts.size(), num_accepted, decision.objects.size(),
-                  reasons.empty() ? "none" : fmt::to_string(fmt::join(reasons, ", ")),
-                  num_short_tracks_, num_moving_tracks_)};
 }
 
 void read(ConfigReader& reader, HydraPlusPlus::Config& config) {

@@ -87,7 +87,6 @@ class HydraPlusPlus : public MappingSystem {
   Estimated estimated(const EndedTrack& ended) const;  ///< on a worker's thread
   void collectEstimates(bool all);
   std::size_t viewsPerTrack() const;
-  std::vector<std::string> summary(const Decision& decision) const;
 
   Config config_;
   LabelSpace label_space_;

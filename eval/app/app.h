@@ -29,6 +29,8 @@ Command addEvaluate(CLI::App& app);
 Command addEstimate(CLI::App& app);
 Command addReport(CLI::App& app);
 Command addSweep(CLI::App& app);
+Command addStatus(CLI::App& app);
+Command addWork(CLI::App& app);
 Command addAudit(CLI::App& app);
 Command addSelftest(CLI::App& app);
 Command addTemplates(CLI::App& app);

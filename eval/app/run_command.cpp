@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <unistd.h>
@@ -15,9 +15,9 @@
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
 #include "eval/app/app.h"
-#include "eval/app/progress.h"
+#include "eval/app/execution.h"
 #include "eval/app/remarks.h"
-#include "eval/experiment/run_experiment.h"
+#include "eval/experiment/assemble.h"
 #include "eval/report/comparison_table.h"
 
 namespace hydrabench {
@@ -28,6 +28,7 @@ struct Options {
   std::filesystem::path out;
   std::vector<std::string> overrides;
   bool replace = false;
+  Execution execution;
 };
 
 void printTables(const Result& result, const std::map<std::string, double>& frame_period_s) {
@@ -44,26 +45,24 @@ void printTables(const Result& result, const std::map<std::string, double>& fram
     fmt::print("{}\n", renderTerminal(comparisonTable(scores, kAllMicro, result.notes),
                                       isatty(STDOUT_FILENO) == 1));
   }
-  fmt::print("{}peak memory {:.0f} MiB\n", timingSummary(result.timing, frame_period_s),
-             peakRssMib());
+  double peak_mib = 0;
+  for (const TimingRow& row : result.timing) peak_mib = std::max(peak_mib, row.peak_rss_mib);
+  fmt::print("{}peak memory {:.0f} MiB\n", timingSummary(result.timing, frame_period_s), peak_mib);
 }
 
 int run(const Options& options) {
   const Provenance provenance = currentProvenance(commandLine());
-  const ExperimentConfig experiment = readExperiment(options.experiment, options.overrides);
-  AtomicFolder folder(options.out, options.replace ? kResultMarker : "");
+  const std::vector<ExperimentConfig> experiments = {
+      readExperiment(options.experiment, options.overrides)};
+  const ExperimentConfig& experiment = experiments.front();
+  const Plan plan = planOf(experiments);
+  AtomicFolder folder(options.out, replaceableMarker(options.out, options.replace));
+  carryOut(plan, options.execution);
 
-  std::optional<Progress> progress;
-  ExperimentEvents events;
-  events.on_world = [&](const std::string& dataset, const std::string& seed, std::size_t frames) {
-    progress.emplace(fmt::format("{}, seed {}", dataset, seed), frames);
-  };
-  events.on_frame = [&] { progress->advance(); };
-  events.on_failure = [](const std::string& failure) {
-    fmt::print(stderr, "failed: {}\n", failure);
-  };
-  ExperimentOutcome outcome = runExperiment(experiment, folder.temporary(), events);
-  progress.reset();
+  const UnitStore store = options.execution.store();
+  const Plan::PlannedExperiment& planned = plan.experiments.front();
+  ExperimentOutcome outcome = assembled(experiment, planned, plan, store);
+  tellFailures(outcome.failures, options.execution, folder.temporary());
   if (outcome.predictions == 0) {
     throw InputError(fmt::format("{}: every method failed on every dataset; nothing was written",
                                  options.experiment.string()));
@@ -71,17 +70,12 @@ int run(const Options& options) {
   outcome.result.provenance = provenance;
   const Result& result = outcome.result;
   printTables(result, outcome.frame_period_s);
-  if (!outcome.failures.empty()) {
-    writeFileAtomic(folder.temporary() / "failures.txt",
-                    fmt::format("{}\n", fmt::join(outcome.failures, "\n")));
-  }
+  linkPredictions(experiment, planned, plan, store, folder.temporary());
   for (const std::string& remark : writeResult(folder, result)) {
     fmt::print(stderr, "{}\n", remark);
   }
   fmt::print("wrote {}\n", options.out.string());
-  if (outcome.failures.empty()) return kDone;
-  fmt::print(stderr, "{} failed; see failures.txt\n", outcome.failures.size());
-  return kPartlyFailed;
+  return outcome.failures.empty() ? kDone : kPartlyFailed;
 }
 
 }  // namespace
@@ -95,13 +89,15 @@ Command addRun(CLI::App& app) {
   app.add_option("--out", options->out, "result folder to write")->required()->type_name("RESULT");
   app.add_flag("--replace", options->replace, "replace the result folder if it exists");
   addOverrides(app, options->overrides, "methods.hydra.objects.cluster_tolerance_m=0.2");
+  addExecution(app, options->execution);
   app.footer(
       "Keys: dataset.KEY for every dataset, methods.NAME.KEY for a method, evaluation.KEY,\n"
       "datasets.0.seeds=[1,2] and the like for the experiment itself.\n"
       "RESULT holds the table (md, tex, csv, json), scores.csv, objects.csv, timing.csv, the\n"
       "predictions and what made them. Where a dataset has no ground truth the methods are run "
       "and\n"
-      "timed only. Exit code 4: something failed, the rest is kept.");
+      "timed only. What is finished stands in the store: stopped and started again, the command\n"
+      "goes on where it was. Exit code 4: something failed, the rest is kept.");
   return [options] { return run(*options); };
 }
 

@@ -1,124 +1,140 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
+#include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
-#include "core/graph/spark_dsg_json.h"
+#include "core/graph/candidate_io.h"
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
 #include "eval/app/app.h"
-#include "eval/app/progress.h"
-#include "eval/experiment/result_worlds.h"
+#include "eval/app/execution.h"
+#include "eval/evaluation/evaluation_io.h"
+#include "eval/experiment/study.h"
 #include "eval/experiment/tau_o_sweep.h"
+#include "eval/report/comparison_table.h"
 #include "eval/report/result_folder.h"
+#include "eval/report/sweep_report.h"
 
 namespace hydrabench {
 namespace {
 
 struct Options {
   std::filesystem::path sweep;
-  std::filesystem::path result;
   std::filesystem::path out;
   std::vector<std::string> overrides;
   bool replace = false;
+  Execution execution;
 };
 
-struct SweepConfig {
-  std::string type = "tau_o";
-  std::string method = "hydra_plus_plus";
-  EvaluationConfig evaluation;
-  std::string resolved;
-};
-
-SweepConfig readSweep(const Options& options) {
-  ConfigDocument document = ConfigDocument::fromFile(options.sweep);
-  for (const std::string& assignment : options.overrides) document.set(assignment);
-  ConfigReader reader(document);
-  SweepConfig config;
-  reader.require("type");
-  reader.choice("type", config.type, {"tau_o"});
-  reader.field("method", config.method);
-  auto evaluation = reader.section("evaluation");
-  read(evaluation, config.evaluation);
-  reader.finish();
-  config.resolved = reader.resolved();
-  return config;
+void draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name) {
+  const std::string remark = drawPlot(plot, folder / "plots", name);
+  if (!remark.empty()) fmt::print(stderr, "plots/{}\n", remark);
 }
 
-/// The worlds of one dataset: they are scored together.
-struct DatasetWorlds {
-  std::vector<TauOWorld> worlds;
-  std::vector<std::unique_ptr<const Evaluator>> evaluators;
-  DecisionConfig decision;
-};
+/// Table and plots of a grid.
+void writeGrid(const Study& study, const std::vector<ExperimentOutcome>& outcomes,
+               const std::filesystem::path& folder) {
+  SweepScores sweep;
+  for (const SweepAxis& axis : study.axes) sweep.axes.push_back({axis.name, axis.title});
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    sweep.points.push_back({study.points[i].values, allScores(outcomes[i].result)});
+  }
+  const ComparisonTable table = sweepTable(sweep);
+  fmt::print("{}\n", renderTerminal(table, isatty(STDOUT_FILENO) == 1));
+  writeFileAtomic(folder / "scores.csv", sweepCsv(sweep));
+  writeFileAtomic(folder / "table.md", renderMarkdown(table));
+  writeFileAtomic(folder / "table.tex", renderLatex(table));
+  writeFileAtomic(folder / "table.csv", renderCsv(table));
+  writeFileAtomic(folder / "table.json", renderJson(table));
+  for (const std::string& dataset : sweepDatasets(sweep)) {
+    for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
+      draw(sweepPlot(sweep, dataset, name(matching)), folder,
+           fmt::format("{}_{}_{}", study.name, dataset, name(matching)));
+    }
+  }
+}
+
+/// The exact sweep of tau_O over the candidates of the one method there is.
+void writeTauO(const Study& study, const Plan& plan, const UnitStore& store,
+               const std::filesystem::path& folder) {
+  const ExperimentConfig& experiment = study.points.front().experiment;
+  const DecisionConfig& decision = *experiment.methods.front().decision;
+  const double used = decision.rmcc.min_overlap;
+  for (const Plan::PlannedDataset& dataset : plan.experiments.front()) {
+    std::vector<TauOWorld> worlds;
+    for (const Plan::PlannedWorld& world : dataset.worlds) {
+      const Plan::Cell& cell = world.cells.front();
+      if (!store.isDone(cell.run) || !store.isDone(cell.score)) continue;
+      const MethodEvaluation evaluation = readEvaluation(store.scoreFile(cell.score));
+      if (!evaluation.isScored()) continue;
+      worlds.push_back({readCandidates(store.runFolder(cell.run)), countingOf(evaluation)});
+    }
+    if (worlds.empty()) continue;
+    const std::vector<TauOStep> steps = sweepTauO(worlds, decision, experiment.evaluation);
+    const std::string name = "tau_o_" + dataset.name;
+    const std::string summary = tauOMarkdown(steps, used);
+    writeFileAtomic(folder / (name + ".csv"), tauOCsv(steps));
+    writeFileAtomic(folder / (name + ".md"), summary);
+    for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
+      draw(tauOPlot(steps, matching, used), folder,
+           fmt::format("{}_{}", name, hydrabench::name(matching)));
+    }
+    fmt::print("{}, {}: worlds: {}, thresholds at which something changes: {}\n\n{}\n",
+               dataset.name, study.tau_o_method, worlds.size(), steps.size(), summary);
+  }
+}
 
 int sweep(const Options& options) {
-  const SweepConfig config = readSweep(options);
-  AtomicFolder folder(options.out, options.replace ? kResultMarker : "");
-  const std::vector<ResultWorld> worlds = resultWorlds(options.result);
-  const auto isChosen = [&](const std::filesystem::path& path) {
-    return path.filename() == config.method;
-  };
-  if (std::none_of(worlds.begin(), worlds.end(), [&](const ResultWorld& world) {
-        return std::any_of(world.predictions.begin(), world.predictions.end(), isChosen);
-      })) {
+  const Study study = readStudy(options.sweep, options.overrides);
+  if (study.axes.empty() && study.tau_o_method.empty()) {
     throw InputError(
-        fmt::format("{}: no prediction of '{}' in there", options.result.string(), config.method));
+        fmt::format("{}: an experiment, expected a sweep with axes; 'hydrabench run' "
+                    "takes experiments",
+                    options.sweep.string()));
   }
-  std::vector<std::string> order;
-  std::map<std::string, DatasetWorlds> datasets;
-  Progress progress("read", worlds.size());
-  for (const ResultWorld& world : worlds) {
-    for (const std::filesystem::path& path : world.predictions) {
-      if (!isChosen(path)) continue;
-      Prediction prediction = readPrediction(path);
-      if (prediction.candidates.empty()) {
-        throw InputError(
-            fmt::format("{}: no candidates in there, expected those of a method that "
-                        "estimates shapes",
-                        path.string()));
+  const std::vector<ExperimentConfig> experiments = study.experiments();
+  const Plan plan = planOf(experiments);
+  AtomicFolder folder(options.out, replaceableMarker(options.out, options.replace));
+  carryOut(plan, options.execution);
+
+  const UnitStore store = options.execution.store();
+  std::vector<ExperimentOutcome> outcomes;
+  std::vector<UnitFailure> failures;
+  std::size_t predictions = 0;
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    outcomes.push_back(assembled(experiments[i], plan.experiments[i], plan, store));
+    predictions += outcomes.back().predictions;
+    for (UnitFailure& failure : outcomes.back().failures) {
+      for (std::size_t a = 0; a < study.axes.size(); ++a) {
+        failure.unit += fmt::format(", {} {}", study.axes[a].name, study.points[i].values[a]);
       }
-      if (!datasets.contains(world.dataset)) order.push_back(world.dataset);
-      DatasetWorlds& of = datasets[world.dataset];
-      of.decision = readDecisionOf(path);
-      const OpenedDataset opened = world.open();
-      of.evaluators.push_back(
-          std::make_unique<const Evaluator>(world.dataset, world.seed, opened.dataset->labelSpace(),
-                                            opened.dataset->groundTruth(), config.evaluation));
-      of.worlds.push_back({std::move(prediction.candidates), of.evaluators.back().get()});
+      failures.push_back(std::move(failure));
     }
-    progress.advance();
   }
-  for (const std::string& dataset : order) {
-    const DatasetWorlds& of = datasets.at(dataset);
-    const double used = of.decision.rmcc.min_overlap;
-    const std::vector<TauOStep> steps = sweepTauO(of.worlds, of.decision, config.evaluation);
-    const std::string name = "tau_o_" + dataset;
-    writeFileAtomic(folder.temporary() / (name + ".csv"), tauOCsv(steps));
-    const std::string summary = tauOMarkdown(steps, used);
-    writeFileAtomic(folder.temporary() / (name + ".md"), summary);
-    for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
-      const std::string remark =
-          drawPlot(tauOPlot(steps, matching, used), folder.temporary() / "plots",
-                   fmt::format("{}_{}", name, hydrabench::name(matching)));
-      if (!remark.empty()) fmt::print(stderr, "plots/{}\n", remark);
-    }
-    fmt::print("{}, {}: worlds: {}, thresholds at which something changes: {}\n\n{}\n", dataset,
-               config.method, of.worlds.size(), steps.size(), summary);
+  tellFailures(failures, options.execution, folder.temporary());
+  if (predictions == 0) {
+    throw InputError(fmt::format("{}: every method failed on every dataset; nothing was written",
+                                 options.sweep.string()));
   }
-  writeFileAtomic(folder.temporary() / "config.yaml", config.resolved);
+  if (study.tau_o_method.empty()) {
+    writeGrid(study, outcomes, folder.temporary());
+  } else {
+    writeTauO(study, plan, store, folder.temporary());
+  }
+  writeFileAtomic(folder.temporary() / "config.yaml",
+                  study.resolved_config + outcomes.front().result.config);
   writeFileAtomic(folder.temporary() / kResultMarker,
                   provenanceJson(currentProvenance(commandLine())));
   folder.commit();
   fmt::print("wrote {}\n", options.out.string());
-  return kDone;
+  return failures.empty() ? kDone : kPartlyFailed;
 }
 
 }  // namespace
@@ -128,17 +144,19 @@ Command addSweep(CLI::App& app) {
   app.add_option("sweep", options->sweep, "what to sweep (configs/sweeps/*.yaml)")
       ->required()
       ->type_name("SWEEP.yaml");
-  app.add_option("result", options->result, "result folder of 'run' with the candidates")
-      ->required()
-      ->type_name("RESULT");
   app.add_option("--out", options->out, "folder to write: tables and plots")
       ->required()
       ->type_name("DIR");
   app.add_flag("--replace", options->replace, "replace the folder if it exists");
   addOverrides(app, options->overrides, "method=hydra_plus_plus_refined");
+  addExecution(app, options->execution);
   app.footer(
-      "type: tau_o decides the candidates of a run anew for every threshold of the consistency\n"
-      "check: an exact step function, no mapping.");
+      "Only what is not in the store yet is run: stopped and started again, a sweep goes on where\n"
+      "it was. Keys: those of the sweep (method=..., experiment=...) and of its experiment\n"
+      "(datasets.0.seeds=[1,2], dataset.KEY, methods.NAME.KEY, evaluation.KEY).\n"
+      "type: tau_o decides the candidates of one method anew for every threshold of the\n"
+      "consistency check: an exact step function, no mapping.\n"
+      "Exit code 4: something failed, the rest is kept.");
   return [options] { return sweep(*options); };
 }
 

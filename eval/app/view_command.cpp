@@ -16,7 +16,6 @@
 #include "eval/app/app.h"
 #include "eval/datasets/open_dataset.h"
 #include "eval/experiment/result_worlds.h"
-#include "eval/experiment/tau_o_sweep.h"
 #include "eval/report/comparison_table.h"
 #include "eval/simulation/contact_sheet.h"
 #include "eval/simulation/simulated_dataset.h"

@@ -125,7 +125,7 @@ RgbdFrame ApcDataset::frame(std::size_t index) const {
   return frame;
 }
 
-std::unique_ptr<Dataset> openApc(ConfigReader& reader, const fs::path&) {
+DatasetConfig readApc(ConfigReader& reader, const fs::path&) {
   ApcDataset::Config config;
   std::string folder = "instances/apc2016_shelf_scene0000";
   std::string masks = "ground_truth";
@@ -138,7 +138,9 @@ std::unique_ptr<Dataset> openApc(ConfigReader& reader, const fs::path&) {
       masks == "predicted" ? ApcDataset::Masks::kPredicted : ApcDataset::Masks::kGroundTruth;
   requireFolder(reader, "folder", root, config.folder);
   reader.finish();
-  return std::make_unique<ApcDataset>(std::move(config));
+  return {.name = config.name, .files = {config.folder}, .open = [config] {
+            return std::make_unique<ApcDataset>(config);
+          }};
 }
 
 }  // namespace hydrabench

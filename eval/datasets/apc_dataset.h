@@ -9,6 +9,7 @@
 
 #include "core/config/config_reader.h"
 #include "eval/datasets/dataset.h"
+#include "eval/datasets/dataset_config.h"
 
 namespace hydrabench {
 
@@ -52,6 +53,6 @@ class ApcDataset : public Dataset {
   GroundTruth ground_truth_;
 };
 
-std::unique_ptr<Dataset> openApc(ConfigReader& reader, const std::filesystem::path& config);
+DatasetConfig readApc(ConfigReader& reader, const std::filesystem::path& config);
 
 }  // namespace hydrabench

@@ -2,14 +2,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "core/config/config_reader.h"
 #include "core/geometry/camera.h"
 #include "core/types/label_space.h"
+#include "eval/datasets/dataset.h"
 
 namespace hydrabench {
+
+/// A dataset as its config describes it, before a world is generated or a file read.
+struct DatasetConfig {
+  std::string name = {};
+  std::uint64_t seed = 0;  ///< 0 for recordings
+  bool generated = false;  ///< a world of the seed; otherwise files that are as they are
+  std::vector<std::filesystem::path> files = {};        ///< and folders that it is made from
+  std::function<std::unique_ptr<Dataset>()> open = {};  ///< throws InputError
+  std::string resolved_config = {};                     ///< YAML with every key at its value
+};
 
 // Parts that the configs of several datasets share.
 

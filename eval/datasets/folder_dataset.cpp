@@ -116,10 +116,12 @@ void FolderDataset::readInstances(std::size_t index, RgbdFrame& frame) const {
   requireLabels(frame, path, layout::kInstanceLabels);
 }
 
-std::unique_ptr<Dataset> openFolder(ConfigReader& reader, const fs::path& config_path) {
+DatasetConfig readFolder(ConfigReader& reader, const fs::path& config_path) {
   FolderDataset::Config config;
-  config.folder = config_path.parent_path();
-  config.name = fs::absolute(config_path).parent_path().filename().string();
+  if (!config_path.empty()) {
+    config.folder = config_path.parent_path();
+    config.name = fs::absolute(config_path).parent_path().filename().string();
+  }
   reader.field("name", config.name);
   reader.field("seed", config.seed);
   reader.path("folder", config.folder);
@@ -127,8 +129,13 @@ std::unique_ptr<Dataset> openFolder(ConfigReader& reader, const fs::path& config
   reader.field("depth_quantum_m", config.depth_quantum_m, {1e-9, 1});
   reader.field("require_depth", config.require_depth);
   readLabelSpace(reader, config.label_space);
+  if (config.folder.empty() && config_path.empty()) {
+    reader.fault("folder", "missing, expected where its files are: there is no config beside them");
+  }
   reader.finish();
-  return std::make_unique<FolderDataset>(std::move(config));
+  return {.name = config.name, .seed = config.seed, .files = {config.folder}, .open = [config] {
+            return std::make_unique<FolderDataset>(config);
+          }};
 }
 
 }  // namespace hydrabench

@@ -11,6 +11,7 @@
 
 #include "core/config/config_reader.h"
 #include "eval/datasets/dataset.h"
+#include "eval/datasets/dataset_config.h"
 
 namespace hydrabench {
 
@@ -51,6 +52,6 @@ class FolderDataset : public Dataset {
   GroundTruth ground_truth_;
 };
 
-std::unique_ptr<Dataset> openFolder(ConfigReader& reader, const std::filesystem::path& config);
+DatasetConfig readFolder(ConfigReader& reader, const std::filesystem::path& config);
 
 }  // namespace hydrabench

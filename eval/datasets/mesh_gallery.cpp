@@ -175,7 +175,7 @@ std::vector<StampedPose> makeGalleryTrajectory(const Scene& scene,
   return poses;
 }
 
-std::unique_ptr<Dataset> openMeshGallery(ConfigReader& reader, const fs::path&) {
+DatasetConfig readMeshGallery(ConfigReader& reader, const fs::path&) {
   MeshGalleryConfig gallery;
   std::string name = "mesh_gallery";
   std::string folder;
@@ -197,9 +197,12 @@ std::unique_ptr<Dataset> openMeshGallery(ConfigReader& reader, const fs::path&) 
   reader.finish();
 
   gallery.folder = root / folder;
-  const auto scene = std::make_shared<const Scene>(makeMeshGalleryScene(gallery));
-  return std::make_unique<SimulatedDataset>(name, scene, makeGalleryTrajectory(*scene, gallery),
-                                            config.sensor, config.odometry, seed);
+  return {.name = name, .seed = seed, .generated = true, .files = {gallery.folder}, .open = [=] {
+            const auto scene = std::make_shared<const Scene>(makeMeshGalleryScene(gallery));
+            return std::make_unique<SimulatedDataset>(name, scene,
+                                                      makeGalleryTrajectory(*scene, gallery),
+                                                      config.sensor, config.odometry, seed);
+          }};
 }
 
 }  // namespace hydrabench

@@ -9,6 +9,7 @@
 
 #include "core/config/config_reader.h"
 #include "eval/datasets/dataset.h"
+#include "eval/datasets/dataset_config.h"
 #include "eval/simulation/scene.h"
 
 namespace hydrabench {
@@ -35,6 +36,6 @@ Scene makeMeshGalleryScene(const MeshGalleryConfig& config);
 /// Poses around every object in order.
 std::vector<StampedPose> makeGalleryTrajectory(const Scene& scene, const MeshGalleryConfig& config);
 
-std::unique_ptr<Dataset> openMeshGallery(ConfigReader& reader, const std::filesystem::path& config);
+DatasetConfig readMeshGallery(ConfigReader& reader, const std::filesystem::path& config);
 
 }  // namespace hydrabench

@@ -18,20 +18,20 @@ namespace hydrabench {
 namespace fs = std::filesystem;
 namespace {
 
-/// Reads the rest of the config, calls finish() and opens the data.
+/// Reads the rest of the config and calls finish(); fills in all but the resolved config.
 struct DatasetType {
   const char* name;
-  std::unique_ptr<Dataset> (*open)(ConfigReader& reader, const fs::path& config);
+  DatasetConfig (*read)(ConfigReader& reader, const fs::path& config);
 };
 
 constexpr DatasetType kTypes[] = {
-    {"simulated", openSimulated},        {"folder", openFolder},
-    {"placed_meshes", openPlacedMeshes}, {"mesh_gallery", openMeshGallery},
-    {"seven_scenes", openSevenScenes},   {"apc2016", openApc},
+    {"simulated", readSimulated},        {"folder", readFolder},
+    {"placed_meshes", readPlacedMeshes}, {"mesh_gallery", readMeshGallery},
+    {"seven_scenes", readSevenScenes},   {"apc2016", readApc},
 };
 
 /// @param config  the file it is from; empty: none
-OpenedDataset open(const ConfigDocument& document, const fs::path& config) {
+DatasetConfig read(const ConfigDocument& document, const fs::path& config) {
   ConfigReader reader(document);
   std::vector<std::string> names;
   for (const DatasetType& type : kTypes) names.push_back(type.name);
@@ -40,29 +40,35 @@ OpenedDataset open(const ConfigDocument& document, const fs::path& config) {
     reader.fault("type", fmt::format("missing, expected one of: {}", fmt::join(names, ", ")));
   }
   reader.choice("type", type, names);
-  if (config.empty() && type == "folder") {
-    reader.fault("type", "a folder: its files stand beside a config file, and there is none here");
-  }
   reader.throwFaults();  // without a type, no other key can be judged
   for (const DatasetType& candidate : kTypes) {
     if (type != candidate.name) continue;
-    OpenedDataset opened;
-    opened.dataset = candidate.open(reader, config);
-    opened.resolved_config = reader.resolved();
-    return opened;
+    DatasetConfig dataset = candidate.read(reader, config);
+    dataset.resolved_config = reader.resolved();
+    return dataset;
   }
   std::abort();  // choice() lets only names of the table through
 }
 
 }  // namespace
 
-OpenedDataset openDataset(const fs::path& path, const std::vector<std::string>& overrides) {
+DatasetConfig readDataset(const fs::path& path, const std::vector<std::string>& overrides) {
   const fs::path config = fs::is_directory(path) ? path / folder_layout::kDescription : path;
   ConfigDocument document = ConfigDocument::fromFile(config);
   for (const std::string& assignment : overrides) document.set(assignment);
-  return open(document, config);
+  return read(document, config);
 }
 
-OpenedDataset openDataset(const ConfigDocument& document) { return open(document, {}); }
+DatasetConfig readDataset(const ConfigDocument& document) { return read(document, {}); }
+
+OpenedDataset openDataset(const fs::path& path, const std::vector<std::string>& overrides) {
+  const DatasetConfig config = readDataset(path, overrides);
+  return {config.open(), config.resolved_config};
+}
+
+OpenedDataset openDataset(const ConfigDocument& document) {
+  const DatasetConfig config = readDataset(document);
+  return {config.open(), config.resolved_config};
+}
 
 }  // namespace hydrabench

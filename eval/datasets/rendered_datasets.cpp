@@ -9,14 +9,16 @@
 namespace hydrabench {
 namespace fs = std::filesystem;
 
-std::unique_ptr<Dataset> openSimulated(ConfigReader& reader, const fs::path&) {
+DatasetConfig readSimulated(ConfigReader& reader, const fs::path&) {
   SimulatedConfig config;
   read(reader, config);
   reader.finish();
-  return std::make_unique<SimulatedDataset>(config);
+  return {.name = config.name(), .seed = config.seed, .generated = true, .open = [config] {
+            return std::make_unique<SimulatedDataset>(config);
+          }};
 }
 
-std::unique_ptr<Dataset> openPlacedMeshes(ConfigReader& reader, const fs::path&) {
+DatasetConfig readPlacedMeshes(ConfigReader& reader, const fs::path&) {
   PlacedMeshesConfig meshes;
   std::string name = "placed_meshes";
   std::string scene_file;
@@ -39,12 +41,20 @@ std::unique_ptr<Dataset> openPlacedMeshes(ConfigReader& reader, const fs::path&)
   reader.finish();
 
   meshes.scene = root / scene_file;
-  const auto scene = std::make_shared<const Scene>(makePlacedMeshesScene(meshes));
-  const RgbdRenderer::Config no_color{.with_color = false};
-  std::vector<StampedPose> path = makeTrajectory(*scene, RgbdRenderer(scene, no_color).raycaster(),
-                                                 config.sensor.camera, config.trajectory);
-  return std::make_unique<SimulatedDataset>(name, scene, std::move(path), config.sensor,
-                                            config.odometry, seed);
+  const auto open = [=] {
+    const auto scene = std::make_shared<const Scene>(makePlacedMeshesScene(meshes));
+    const RgbdRenderer::Config no_color{.with_color = false};
+    std::vector<StampedPose> path = makeTrajectory(
+        *scene, RgbdRenderer(scene, no_color).raycaster(), config.sensor.camera, config.trajectory);
+    return std::make_unique<SimulatedDataset>(name, scene, std::move(path), config.sensor,
+                                              config.odometry, seed);
+  };
+  // The meshes stand beside the scene's file.
+  return {.name = name,
+          .seed = seed,
+          .generated = true,
+          .files = {meshes.scene.parent_path()},
+          .open = open};
 }
 
 }  // namespace hydrabench

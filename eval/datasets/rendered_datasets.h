@@ -7,14 +7,14 @@
 
 #include "core/config/config_reader.h"
 #include "eval/datasets/dataset.h"
+#include "eval/datasets/dataset_config.h"
 
 namespace hydrabench {
 
 // Datasets that are rendered (eval/simulation): the generated worlds, and worlds of mesh files seen
 // through the same sensors.
 
-std::unique_ptr<Dataset> openSimulated(ConfigReader& reader, const std::filesystem::path& config);
-std::unique_ptr<Dataset> openPlacedMeshes(ConfigReader& reader,
-                                          const std::filesystem::path& config);
+DatasetConfig readSimulated(ConfigReader& reader, const std::filesystem::path& config);
+DatasetConfig readPlacedMeshes(ConfigReader& reader, const std::filesystem::path& config);
 
 }  // namespace hydrabench

@@ -122,7 +122,7 @@ RgbdFrame SevenScenesDataset::frame(std::size_t index) const {
   return frame;
 }
 
-std::unique_ptr<Dataset> openSevenScenes(ConfigReader& reader, const fs::path&) {
+DatasetConfig readSevenScenes(ConfigReader& reader, const fs::path&) {
   SevenScenesDataset::Config config;
   const fs::path root = readDataRoot(reader);
   std::string frames = "rgbd/7scenes";
@@ -138,7 +138,12 @@ std::unique_ptr<Dataset> openSevenScenes(ConfigReader& reader, const fs::path&) 
   requireFolder(reader, "frames", root, config.frames);
   if (!instances.empty()) requireFolder(reader, "instances", root, config.instances);
   reader.finish();
-  return std::make_unique<SevenScenesDataset>(std::move(config));
+  DatasetConfig dataset;
+  dataset.name = config.name;
+  dataset.files.push_back(config.frames);
+  if (!instances.empty()) dataset.files.push_back(config.instances);
+  dataset.open = [config] { return std::make_unique<SevenScenesDataset>(config); };
+  return dataset;
 }
 
 }  // namespace hydrabench

@@ -10,6 +10,7 @@
 
 #include "core/config/config_reader.h"
 #include "eval/datasets/dataset.h"
+#include "eval/datasets/dataset_config.h"
 
 namespace hydrabench {
 
@@ -49,6 +50,6 @@ class SevenScenesDataset : public Dataset {
   GroundTruth ground_truth_;
 };
 
-std::unique_ptr<Dataset> openSevenScenes(ConfigReader& reader, const std::filesystem::path& config);
+DatasetConfig readSevenScenes(ConfigReader& reader, const std::filesystem::path& config);
 
 }  // namespace hydrabench

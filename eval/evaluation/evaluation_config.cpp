@@ -36,4 +36,10 @@ void read(ConfigReader& reader, EvaluationConfig& config) {
     reader.fault("thresholds_m", "empty, expected at least one threshold");
 }
 
+std::string toYaml(EvaluationConfig config) {
+  ConfigReader reader(ConfigDocument::fromString("{}"));
+  read(reader, config);
+  return reader.resolved();
+}
+
 }  // namespace hydrabench

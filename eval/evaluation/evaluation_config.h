@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/config/config_reader.h"
@@ -28,8 +29,10 @@ struct EvaluationConfig {
 
   ObjectModel::Config modelConfig() const;
   BootstrapConfig bootstrapConfig() const;
+  friend bool operator==(const EvaluationConfig&, const EvaluationConfig&) = default;
 };
 
 void read(ConfigReader& reader, EvaluationConfig& config);
+std::string toYaml(EvaluationConfig config);
 
 }  // namespace hydrabench

@@ -72,14 +72,12 @@ void requireSameUnits(const std::string& method, const std::vector<ScoredObject>
 
 Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpace& label_space,
                      const GroundTruth& truth, const EvaluationConfig& config)
-    : dataset_name_(std::move(dataset_name)),
-      seed_(std::move(seed)),
-      label_space_(label_space),
-      config_(config) {
+    : dataset_name_(std::move(dataset_name)), seed_(std::move(seed)), config_(config) {
+  counting_.label_space = label_space;
   std::vector<const GroundTruthObject*> objects;
   std::vector<const LabelSpace::Entry*> entries;
   for (const GroundTruthObject& object : truth.objects) {
-    const LabelSpace::Entry* entry = label_space_.find(object.label);
+    const LabelSpace::Entry* entry = label_space.find(object.label);
     if (!entry || !entry->is_scored) continue;
     objects.push_back(&object);
     entries.push_back(entry);
@@ -107,10 +105,10 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
       truths_.push_back(std::move(all[i]));
       truth_models_.push_back(std::move(models[i]));
     } else {
-      ignored_.push_back(all[i].detection);
+      counting_.ignored.push_back(all[i].detection);
     }
   }
-  truth_detections_ = detections(truths_);
+  counting_.truths = detections(truths_);
   if (truths_.empty()) {
     throw InputError(fmt::format(
         "dataset '{}': ground truth: no object that counts (of {}), expected at least one",
@@ -118,15 +116,8 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
   }
 }
 
-bool Evaluator::isCounted(const DetectionObject& estimate) const {
-  const LabelSpace::Entry* entry = label_space_.find(estimate.label);
-  if (!entry || !entry->is_scored) return false;
-  const auto ignored = nearestOfClass(estimate, ignored_);
-  if (!ignored) return true;
-  const double distance = (ignored_[*ignored].center - estimate.center).norm();
-  if (!(distance < ignored_[*ignored].half_diagonal)) return true;
-  const auto counted = nearestOfClass(estimate, truth_detections_);
-  return counted && !(distance < (truth_detections_[*counted].center - estimate.center).norm());
+Counting countingOf(const MethodEvaluation& evaluation) {
+  return {evaluation.label_space, detections(evaluation.truths), evaluation.ignored};
 }
 
 MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
@@ -134,13 +125,15 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
   evaluation.dataset = dataset_name_;
   evaluation.seed = seed_;
   evaluation.method = prediction.method;
+  evaluation.notes = prediction.notes;
   evaluation.truths = truths_;
-  evaluation.unscored_truths = ignored_.size();
+  evaluation.ignored = counting_.ignored;
+  evaluation.label_space = counting_.label_space;
 
   std::vector<const ObjectNode*> nodes;
   std::vector<const LabelSpace::Entry*> entries;
   for (const ObjectNode& node : prediction.graph.objects) {
-    const LabelSpace::Entry* entry = label_space_.find(node.label);
+    const LabelSpace::Entry* entry = counting_.label_space.find(node.label);
     if (!entry || !entry->is_scored) continue;
     nodes.push_back(&node);
     entries.push_back(entry);
@@ -160,10 +153,9 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
     all[i] = scoredObject(node.id, *entries[i], node.name, box, *models[i]);
   });
   // An estimate of something that does not count is neither right nor wrong.
-  const std::vector<DetectionObject>& truths = truth_detections_;
   std::vector<const ObjectModel*> estimate_models;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!isCounted(all[i].detection)) continue;
+    if (!counting_.includes(all[i].detection)) continue;
     evaluation.estimates.push_back(std::move(all[i]));
     estimate_models.push_back(models[i].get());
   }
@@ -174,7 +166,8 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
   requireSameUnits(prediction.method, evaluation.estimates, evaluation.truths);
   const std::vector<DetectionObject> estimates = detections(evaluation.estimates);
 
-  const std::vector<ThresholdMatches> matches = matchAtThresholds(estimates, truths, config_);
+  const std::vector<ThresholdMatches> matches =
+      matchAtThresholds(estimates, counting_.truths, config_);
   std::set<MatchedPair> wanted;
   for (const ThresholdMatches& at : matches) {
     if (!at.with_geometry) continue;
@@ -190,7 +183,7 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     evaluation.pair_scores.emplace(pairs[i], scores[i]);
   }
-  fillScores(label_space_, config_, matches, evaluation);
+  fillScores(config_, matches, evaluation);
   return evaluation;
 }
 

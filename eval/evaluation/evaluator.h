@@ -11,6 +11,7 @@
 
 #include "core/graph/scene_graph.h"
 #include "eval/datasets/dataset.h"
+#include "eval/evaluation/counting.h"
 #include "eval/evaluation/evaluation_config.h"
 #include "eval/evaluation/score_row.h"
 #include "metrics/kappa_sweep.h"
@@ -52,22 +53,30 @@ struct KappaCurve {
   KappaSweep sweep;
 };
 
-/// Everything known of one prediction on one dataset.
+/// Everything known of one prediction on one dataset. Without truths: one that could not be scored,
+/// because the dataset has no ground truth.
 struct MethodEvaluation {
+  bool isScored() const { return !truths.empty(); }
+
   std::string dataset;
   std::string seed;  ///< of the dataset; "pooled" for several worlds together
   std::string method;
+  LabelSpace label_space;
   std::vector<ScoredObject> estimates;
   std::vector<ScoredObject> truths;
+  std::vector<DetectionObject> ignored;           ///< ground truth that is neither found nor missed
   std::map<MatchedPair, PairScores> pair_scores;  ///< of every pair that some mean needs
   std::vector<ScoreRow> scores;
   std::vector<ObjectRow> objects;
   std::vector<KappaCurve> kappa_curves;
   std::size_t unscored_estimates =
       0;  ///< of classes that do not count, or nearest to ignored ground truth
-  std::size_t unscored_truths = 0;
+  std::vector<std::string> notes;          ///< what a reader of the table must know of the method
   std::size_t estimates_without_mesh = 0;  ///< found by their box; only box scores
 };
+
+/// What counted in an evaluation.
+Counting countingOf(const MethodEvaluation& evaluation);
 
 /// Ground truth prepared once for scoring any number of predictions against it.
 class Evaluator {
@@ -81,19 +90,14 @@ class Evaluator {
   MethodEvaluation evaluate(const Prediction& prediction) const;
 
   const std::vector<ScoredObject>& truths() const { return truths_; }
-  /// Whether an estimate counts at all: its class is scored, and it does not stand for ground truth
-  /// that is neither found nor missed.
-  bool isCounted(const DetectionObject& estimate) const;
 
  private:
   std::string dataset_name_;
   std::string seed_;
-  LabelSpace label_space_;
   EvaluationConfig config_;
   std::vector<ScoredObject> truths_;
   std::vector<std::shared_ptr<const ObjectModel>> truth_models_;
-  std::vector<DetectionObject> truth_detections_;  ///< of truths_
-  std::vector<DetectionObject> ignored_;
+  Counting counting_;
 };
 
 }  // namespace hydrabench

@@ -47,22 +47,6 @@ std::vector<DetectionObject> detections(const std::vector<ScoredObject>& objects
   return result;
 }
 
-/// Index of the nearest object of the same label; nullopt where there is none.
-std::optional<std::size_t> nearestOfClass(const DetectionObject& object,
-                                          const std::vector<DetectionObject>& candidates) {
-  std::optional<std::size_t> nearest;
-  double nearest_distance = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].label != object.label || candidates[i].world != object.world) continue;
-    const double distance = (candidates[i].center - object.center).norm();
-    if (!nearest || distance < nearest_distance) {
-      nearest = i;
-      nearest_distance = distance;
-    }
-  }
-  return nearest;
-}
-
 std::vector<ThresholdMatches> matchAtThresholds(const std::vector<DetectionObject>& estimates,
                                                 const std::vector<DetectionObject>& truths,
                                                 const EvaluationConfig& config) {
@@ -77,10 +61,10 @@ std::vector<ThresholdMatches> matchAtThresholds(const std::vector<DetectionObjec
   return matches;
 }
 
-void fillScores(const LabelSpace& label_space, const EvaluationConfig& config,
-                const std::vector<ThresholdMatches>& matches, MethodEvaluation& evaluation) {
-  const ScoreContext context{evaluation.dataset, evaluation.seed, evaluation.method, label_space,
-                             config};
+void fillScores(const EvaluationConfig& config, const std::vector<ThresholdMatches>& matches,
+                MethodEvaluation& evaluation) {
+  const ScoreContext context{evaluation.dataset, evaluation.seed, evaluation.method,
+                             evaluation.label_space, config};
   const std::vector<DetectionObject> estimates = detections(evaluation.estimates);
   const std::vector<DetectionObject> truths = detections(evaluation.truths);
   evaluation.scores = scoreRows(context, evaluation, matches, evaluation.pair_scores);
@@ -96,13 +80,22 @@ void fillScores(const LabelSpace& label_space, const EvaluationConfig& config,
   }
 }
 
+void rescore(const EvaluationConfig& config, MethodEvaluation& evaluation) {
+  evaluation.objects.clear();
+  fillScores(
+      config,
+      matchAtThresholds(detections(evaluation.estimates), detections(evaluation.truths), config),
+      evaluation);
+}
+
 MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,
-                        const LabelSpace& label_space, const EvaluationConfig& config) {
+                        const EvaluationConfig& config) {
   assert(!worlds.empty());
   MethodEvaluation all;
   all.dataset = worlds.front()->dataset;
   all.seed = kPooledSeed;
   all.method = worlds.front()->method;
+  all.label_space = worlds.front()->label_space;
   for (std::size_t w = 0; w < worlds.size(); ++w) {
     const MethodEvaluation& world = *worlds[w];
     assert(world.dataset == all.dataset && world.method == all.method);
@@ -121,11 +114,13 @@ MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,
                               scores);
     }
     all.unscored_estimates += world.unscored_estimates;
-    all.unscored_truths += world.unscored_truths;
+    for (DetectionObject object : world.ignored) {
+      object.world = static_cast<std::uint32_t>(w);
+      all.ignored.push_back(object);
+    }
     all.estimates_without_mesh += world.estimates_without_mesh;
   }
-  fillScores(label_space, config,
-             matchAtThresholds(detections(all.estimates), detections(all.truths), config), all);
+  rescore(config, all);
   return all;
 }
 

@@ -12,9 +12,6 @@
 namespace hydrabench {
 
 std::vector<DetectionObject> detections(const std::vector<ScoredObject>& objects);
-/// Index of the nearest object of the same class in the same world; nullopt where there is none.
-std::optional<std::size_t> nearestOfClass(const DetectionObject& object,
-                                          const std::vector<DetectionObject>& candidates);
 
 /// Matches at every threshold of the config under both semantics.
 std::vector<ThresholdMatches> matchAtThresholds(const std::vector<DetectionObject>& estimates,
@@ -23,12 +20,16 @@ std::vector<ThresholdMatches> matchAtThresholds(const std::vector<DetectionObjec
 
 /// Fills scores, objects and kappa_curves from the estimates, truths and pair scores that are
 /// there.
-void fillScores(const LabelSpace& label_space, const EvaluationConfig& config,
-                const std::vector<ThresholdMatches>& matches, MethodEvaluation& evaluation);
+void fillScores(const EvaluationConfig& config, const std::vector<ThresholdMatches>& matches,
+                MethodEvaluation& evaluation);
+
+/// Matches and fills anew, for other thresholds of detection or other intervals. Every pair that is
+/// matched at one of config.thresholds_m needs its scores.
+void rescore(const EvaluationConfig& config, MethodEvaluation& evaluation);
 
 /// One method on several worlds as a whole, seed "pooled": objects are matched within their own
 /// world, then counted and averaged together. The worlds must be those of one dataset.
 MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,
-                        const LabelSpace& label_space, const EvaluationConfig& config);
+                        const EvaluationConfig& config);
 
 }  // namespace hydrabench

@@ -11,7 +11,6 @@
 #include "core/config/config_reader.h"
 #include "core/config/plain_name.h"
 #include "core/types/error.h"
-#include "eval/simulation/simulated_dataset.h"
 
 namespace hydrabench {
 namespace {
@@ -175,18 +174,16 @@ std::vector<MethodConfig> readMethods(const std::string& file, std::vector<Metho
 
 }  // namespace
 
-OpenedDataset ExperimentConfig::DatasetEntry::open(std::size_t index) const {
+DatasetConfig ExperimentConfig::DatasetEntry::read(std::size_t index) const {
   const std::string place = name.empty() ? config.string() : name;
   const InputError no_seed(
       fmt::format("{}: not a generated world, expected no 'seeds' in the experiment", place));
   std::vector<std::string> all = overrides;
   if (!seeds.empty()) all.push_back(fmt::format("seed={}", seeds[index]));
   try {
-    OpenedDataset opened = inEntry(place, [&] { return openDataset(config, all); });
-    if (!seeds.empty() && !dynamic_cast<const SimulatedDataset*>(opened.dataset.get())) {
-      throw no_seed;
-    }
-    return opened;
+    DatasetConfig dataset = inEntry(place, [&] { return readDataset(config, all); });
+    if (!seeds.empty() && !dataset.generated) throw no_seed;
+    return dataset;
   } catch (const InputError& error) {
     const bool no_such_key =
         std::string(error.what()).find(": seed: unknown key") != std::string::npos;

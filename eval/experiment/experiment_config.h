@@ -38,8 +38,8 @@ struct ExperimentConfig {
     std::vector<int> seeds;  ///< empty: the dataset as it is
 
     std::size_t numWorlds() const { return seeds.empty() ? 1 : seeds.size(); }
-    /// World `index` below numWorlds().
-    OpenedDataset open(std::size_t index) const;
+    /// World `index` below numWorlds(). Throws InputError.
+    DatasetConfig read(std::size_t index) const;
   };
   std::string name;
   std::vector<DatasetEntry> datasets;

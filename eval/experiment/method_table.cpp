@@ -91,6 +91,22 @@ Start readType(const std::string& type, ConfigReader& reader) {
   std::abort();
 }
 
+/// The type that keeps candidates, over which it decides at the end.
+constexpr const char* kDecidingType = "hydra_plus_plus";
+
+std::string mappingConfig(const std::string& resolved, const std::string& type) {
+  ConfigDocument document = ConfigDocument::fromString(resolved, type);
+  document.remove("name");
+  if (type == kDecidingType) {
+    for (const std::string& key : decisionKeys()) document.remove(key);
+  }
+  ConfigReader reader(document);
+  std::string ignored;
+  reader.choice("type", ignored, methodTypes());
+  readType(type, reader);
+  return reader.resolved();
+}
+
 }  // namespace
 
 std::vector<std::string> methodTypes() {
@@ -109,6 +125,10 @@ MethodConfig readMethod(const std::filesystem::path& config,
                         const std::vector<std::string>& overrides) {
   ConfigDocument document = ConfigDocument::fromFile(config);
   for (const std::string& assignment : overrides) document.set(assignment);
+  return readMethod(document);
+}
+
+MethodConfig readMethod(const ConfigDocument& document) {
   ConfigReader reader(document);
   std::string type;
   if (!reader.has("type")) {
@@ -126,6 +146,12 @@ MethodConfig readMethod(const std::filesystem::path& config,
   method.start = readType(type, reader);
   reader.finish();
   method.resolved_config = reader.resolved();
+  method.files = reader.paths();
+  if (type == kDecidingType) {
+    ConfigReader decision(document);
+    read(decision, method.decision.emplace());
+  }
+  method.mapping_config = mappingConfig(method.resolved_config, type);
   return method;
 }
 

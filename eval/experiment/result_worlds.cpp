@@ -86,4 +86,12 @@ std::vector<ResultWorld> resultWorlds(const fs::path& result) {
   return worlds;
 }
 
+DecisionConfig readDecisionOf(const fs::path& prediction) {
+  ConfigReader reader(ConfigDocument::fromFile(prediction / "config.yaml"));
+  DecisionConfig config;
+  read(reader, config);
+  reader.throwFaults();  // the other keys of the method are not ours to judge
+  return config;
+}
+
 }  // namespace hydrabench

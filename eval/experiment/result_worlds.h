@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pipeline/candidate_decision.h"
 #include "eval/datasets/open_dataset.h"
 
 namespace hydrabench {
@@ -26,5 +27,8 @@ struct ResultWorld {
 /// are there; the datasets those of its config.yaml. Throws InputError where the folder is no
 /// result of `run`.
 std::vector<ResultWorld> resultWorlds(const std::filesystem::path& result);
+
+/// The decision rules in the resolved config of a run (config.yaml of its prediction).
+DecisionConfig readDecisionOf(const std::filesystem::path& prediction);
 
 }  // namespace hydrabench

@@ -253,8 +253,8 @@ std::vector<SingleViewRow> runSingleViewStudy(
   const ObjectModel::Config model_config = study.evaluation.modelConfig();
   for (const ExperimentConfig::DatasetEntry& entry : study.datasets) {
     for (std::size_t world = 0; world < entry.numWorlds(); ++world) {
-      const OpenedDataset opened = entry.open(world);
-      const Dataset& dataset = *opened.dataset;
+      const std::unique_ptr<const Dataset> opened = entry.read(world).open();
+      const Dataset& dataset = *opened;
       const std::string name = entry.name.empty() ? dataset.name() : entry.name;
       const std::string world_seed = std::to_string(dataset.seed());
       on_world(name, world_seed);

@@ -22,12 +22,11 @@ namespace {
 class World {
  public:
   explicit World(const TauOWorld& world)
-      : candidates_(world.candidates), evaluator_(world.evaluator) {
+      : candidates_(world.candidates), counting_(world.counting) {
     for (const ShapeCandidate& candidate : candidates_) {
       full_.push_back(detection(candidate, candidate.mesh));
       partial_.push_back(detection(candidate, candidate.partial_mesh));
     }
-    truths_ = detections(evaluator_->truths());
   }
 
   std::size_t addMatches(const DecisionConfig& decision, std::vector<TauOStep::At>& scores,
@@ -38,13 +37,13 @@ class World {
       const Decision::Object& object = decided.objects[i];
       DetectionObject estimate = (object.partial ? partial_ : full_)[object.candidate];
       estimate.id = i;
-      if (evaluator_->isCounted(estimate)) estimates.push_back(estimate);
+      if (counting_.includes(estimate)) estimates.push_back(estimate);
     }
     for (std::size_t k = 0; k < scores.size(); ++k) {
       const DetectionMatches matches =
-          match(scores[k].matching, estimates, truths_, scores[k].threshold);
+          match(scores[k].matching, estimates, counting_.truths, scores[k].threshold);
       scores[k].counts += counts(matches);
-      for (const auto& [label, added] : countsByClass(matches, estimates, truths_)) {
+      for (const auto& [label, added] : countsByClass(matches, estimates, counting_.truths)) {
         by_class[k][label] += added;
       }
     }
@@ -58,10 +57,9 @@ class World {
   }
 
   const std::vector<ShapeCandidate>& candidates_;
-  const Evaluator* evaluator_;
+  const Counting& counting_;
   std::vector<DetectionObject> full_;  ///< per candidate
   std::vector<DetectionObject> partial_;
-  std::vector<DetectionObject> truths_;
 };
 
 std::string shown(const std::optional<double>& value) {
@@ -196,14 +194,6 @@ std::string tauOMarkdown(const std::vector<TauOStep>& steps, double used) {
   return text +
          "\ntau_O was swept after the fact: a threshold chosen by these numbers is tuned on "
          "the test.\n";
-}
-
-DecisionConfig readDecisionOf(const std::filesystem::path& prediction) {
-  ConfigReader reader(ConfigDocument::fromFile(prediction / "config.yaml"));
-  DecisionConfig config;
-  read(reader, config);
-  reader.throwFaults();  // the other keys of the method are not ours to judge
-  return config;
 }
 
 }  // namespace hydrabench

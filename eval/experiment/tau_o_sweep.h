@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/pipeline/candidate_decision.h"
-#include "eval/evaluation/evaluator.h"
+#include "eval/evaluation/counting.h"
+#include "eval/evaluation/evaluation_config.h"
 #include "eval/report/plot.h"
 #include "metrics/bootstrap.h"
 
@@ -31,7 +31,7 @@ struct TauOStep {
 /// The candidates of one world and what they are scored against.
 struct TauOWorld {
   std::vector<ShapeCandidate> candidates;
-  const Evaluator* evaluator = nullptr;
+  Counting counting;
 };
 
 /// Steps from 0 to 1.
@@ -45,8 +45,5 @@ std::string tauOCsv(const std::vector<TauOStep>& steps);
 Plot tauOPlot(const std::vector<TauOStep>& steps, Matching matching, double used);
 /// The best F1 per threshold and matching, over which tau_O, and what the threshold in use gives.
 std::string tauOMarkdown(const std::vector<TauOStep>& steps, double used);
-
-/// The decision rules in the resolved config of a run (config.yaml of its prediction).
-DecisionConfig readDecisionOf(const std::filesystem::path& prediction);
 
 }  // namespace hydrabench

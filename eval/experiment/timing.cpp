@@ -13,6 +13,10 @@
 namespace hydrabench {
 namespace {
 
+const std::vector<std::string> kColumns = {"dataset", "seed",    "method", "stage",
+                                           "n",       "mean_ms", "p50_ms", "p90_ms",
+                                           "p99_ms",  "max_ms",  "cpu_s",  "peak_rss_mib"};
+
 /// Smallest value that at least this share of the values do not exceed.
 double percentile(const std::vector<double>& ascending, double share) {
   const double rank = std::ceil(share * static_cast<double>(ascending.size()));
@@ -57,8 +61,7 @@ std::vector<TimingRow> timingRows(const std::string& dataset, const std::string&
 }
 
 std::string timingCsv(const std::vector<TimingRow>& rows) {
-  std::string text = csvLine({"dataset", "seed", "method", "stage", "n", "mean_ms", "p50_ms",
-                              "p90_ms", "p99_ms", "max_ms", "cpu_s", "peak_rss_mib"});
+  std::string text = csvLine(kColumns);
   const auto cell = [](double value) { return fmt::format("{:.3f}", value); };
   for (const TimingRow& row : rows) {
     text += csvLine({row.dataset, row.seed, row.method, row.stage, std::to_string(row.n),
@@ -66,6 +69,28 @@ std::string timingCsv(const std::vector<TimingRow>& rows) {
                      cell(row.max_ms), cell(row.cpu_s), cell(row.peak_rss_mib)});
   }
   return text;
+}
+
+std::vector<TimingRow> readTimingCsv(const std::filesystem::path& path) {
+  const CsvTable table = readCsv(path, kColumns);
+  std::vector<TimingRow> rows;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto number = [&](std::size_t column) { return table.number(i, column).value_or(0); };
+    TimingRow& row = rows.emplace_back();
+    row.dataset = table.rows[i][0];
+    row.seed = table.rows[i][1];
+    row.method = table.rows[i][2];
+    row.stage = table.rows[i][3];
+    row.n = static_cast<std::size_t>(number(4));
+    row.mean_ms = number(5);
+    row.p50_ms = number(6);
+    row.p90_ms = number(7);
+    row.p99_ms = number(8);
+    row.max_ms = number(9);
+    row.cpu_s = number(10);
+    row.peak_rss_mib = number(11);
+  }
+  return rows;
 }
 
 std::string timingSummary(const std::vector<TimingRow>& rows,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ std::vector<TimingRow> timingRows(const std::string& dataset, const std::string&
                                   const StageCounts& warm_up);
 
 std::string timingCsv(const std::vector<TimingRow>& rows);
+/// Throws InputError naming file, line and column.
+std::vector<TimingRow> readTimingCsv(const std::filesystem::path& path);
 /// A few lines for the terminal: per world and method the time per frame and its multiple of real
 /// time.
 /// @param frame_period_s  mean time between frames per dataset

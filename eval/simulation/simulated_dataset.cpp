@@ -53,8 +53,13 @@ void read(ConfigReader& reader, SimulatedConfig& config) {
   read(odometry, config.odometry);
 }
 
+std::string SimulatedConfig::name() const {
+  const std::string world = office.world == "quick" ? "office_quick" : "office";
+  return preset == "default" ? world : world + "_" + preset;
+}
+
 SimulatedDataset::SimulatedDataset(const SimulatedConfig& config)
-    : name_(config.office.world == "quick" ? "office_quick" : "office"),
+    : name_(config.name()),
       scene_(std::make_shared<const Scene>(makeOffice(config.office, config.seed))),
       renderer_(scene_),
       trajectory_(
@@ -62,9 +67,7 @@ SimulatedDataset::SimulatedDataset(const SimulatedConfig& config)
       reported_poses_(
           driftedPoses(trajectory_, config.odometry, hashSeed(config.seed, kOdometryStream))),
       sensor_(config.sensor),
-      seed_(config.seed) {
-  if (config.preset != "default") name_ += "_" + config.preset;
-}
+      seed_(config.seed) {}
 
 SimulatedDataset::SimulatedDataset(std::string name, std::shared_ptr<const Scene> scene,
                                    std::vector<StampedPose> trajectory,

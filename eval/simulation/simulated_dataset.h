@@ -29,6 +29,7 @@ struct SimulatedConfig {
   /// @param world   "office" (2000 frames) or "quick" (two rooms and a corridor, 300 frames)
   /// @param preset  "clean", "default" or "hard"
   static SimulatedConfig forWorld(const std::string& world, const std::string& preset = "default");
+  std::string name() const;  ///< of the dataset: "office_quick_hard"
 };
 void read(ConfigReader& reader, SimulatedConfig& config);
 

@@ -28,8 +28,9 @@ class Command : public ::testing::Test {
  protected:
   Outcome run(const std::string& arguments) {
     const std::string line =
-        fmt::format("cd '{}' && '{}' {} >'{}' 2>'{}'", HYDRABENCH_SOURCE_DIR, HYDRABENCH_COMMAND,
-                    arguments, (folder_ / "out.txt").string(), (folder_ / "err.txt").string());
+        fmt::format("cd '{}' && HYDRABENCH_STORE='{}' '{}' {} >'{}' 2>'{}'", HYDRABENCH_SOURCE_DIR,
+                    path("store"), HYDRABENCH_COMMAND, arguments, (folder_ / "out.txt").string(),
+                    (folder_ / "err.txt").string());
     const int status = std::system(line.c_str());
     return {WEXITSTATUS(status), readText(folder_ / "out.txt"), readText(folder_ / "err.txt")};
   }
@@ -68,7 +69,7 @@ TEST_F(Command, TeachesWithoutArguments) {
 TEST_F(Command, HelpsForEverySubcommand) {
   for (const std::string name :
        {"doctor", "selftest", "view", "export", "run", "map", "evaluate", "report", "sweep",
-        "estimate", "train", "templates", "defaults", "version"}) {
+        "status", "work", "estimate", "train", "templates", "defaults", "version"}) {
     const Outcome outcome = run(name + " --help");
     EXPECT_EQ(outcome.exit_code, 0) << name;
     EXPECT_THAT(outcome.out, HasSubstr("Usage: hydrabench " + name)) << name;
@@ -111,17 +112,21 @@ TEST_F(Command, DecidesTheCandidatesOfARunAnew) {
           "--set evaluation.samples=500 --set 'methods=[{config: " +
           method + "}]'");
   ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
-  const Outcome swept = run("sweep configs/sweeps/tau_o.yaml " + path("result") + " --out " +
-                            path("swept") + " --set method=oracle_shape");
+  const std::string sweep = "sweep configs/sweeps/tau_o.yaml --out " + path("swept") + small() +
+                            "--set experiment=../experiments/table1_quick.yaml "
+                            "--set max_frames=100 --set evaluation.bootstrap_resamples=0 "
+                            "--set evaluation.samples=500 --set 'methods=[{config: " +
+                            method + "}]'";
+  const Outcome swept = run(sweep + " --set method=oracle_shape");
   ASSERT_EQ(swept.exit_code, 0) << swept.err;
+  EXPECT_THAT(swept.err, Not(HasSubstr("runs,"))) << "mapped again";
   EXPECT_THAT(swept.out, HasSubstr("| 0.5 m | one_to_one |"));
   EXPECT_THAT(readText(folder_ / "swept/tau_o_office_quick.csv"), HasSubstr("tau_o,tau_o_end"));
   const Outcome viewed = run("view " + path("result") +
                              " --rejections --heatmaps --objects 1 --out " + path("figures"));
   EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
   EXPECT_THAT(viewed.out, HasSubstr("errors_office_quick_1.png"));
-  expectFault("sweep configs/sweeps/tau_o.yaml " + path("result") + " --out " + path("x"),
-              "no prediction of 'hydra_plus_plus'");
+  expectFault(sweep, "method: no 'hydra_plus_plus' in the experiment");
 }
 
 TEST_F(Command, MapsForEvaluate) {
@@ -238,7 +243,7 @@ TEST_F(Command, KeepsWhatFinishedWhenAMethodFails) {
                            " --set evaluation.bootstrap_resamples=20";
   const Outcome outcome = run(line);
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("failed: office_quick, seed 1, template_cad: "));
+  EXPECT_THAT(outcome.err, HasSubstr("failed: office_quick, seed 1: template_cad: "));
   EXPECT_THAT(outcome.out, HasSubstr("Template CAD: 1 of 1 worlds of office_quick failed"));
   EXPECT_THAT(readText(folder_ / "kept/failures.txt"), HasSubstr("template_cad: "));
   EXPECT_THAT(readText(folder_ / "kept/scores.csv"), HasSubstr(",hydra,"));

@@ -67,7 +67,7 @@ TEST(Pooling, CountsAddUpOverWorlds) {
   const MethodEvaluation a = world("1", 3, {0, 2});
   const MethodEvaluation b = world("2", 2, {0.1, 7});
   const MethodEvaluation* worlds[] = {&a, &b};
-  const MethodEvaluation all = pooled(worlds, labels(), quickConfig());
+  const MethodEvaluation all = pooled(worlds, quickConfig());
   EXPECT_EQ(all.seed, kPooledSeed);
   EXPECT_EQ(value(all, "precision", kMatchingExists), 3.0 / 4);
   EXPECT_EQ(value(all, "recall", kMatchingExists), 3.0 / 5);
@@ -79,7 +79,7 @@ TEST(Pooling, MeansRunOverThePairsOfAllWorlds) {
   const MethodEvaluation b = world("2", 2, {0.1, 2.1});
   const MethodEvaluation* worlds[] = {&a, &b};
   // A cube of 0.5 m shifted by 0.1 m along an edge: 0.4 / 0.6.
-  EXPECT_NEAR(*value(pooled(worlds, labels(), quickConfig()), "b_iou", kMatchingExists),
+  EXPECT_NEAR(*value(pooled(worlds, quickConfig()), "b_iou", kMatchingExists),
               (1 + 2 * 0.4 / 0.6) / 3, 1e-9);
 }
 
@@ -87,7 +87,7 @@ TEST(Pooling, AnObjectNeverMatchesOneOfAnotherWorld) {
   const MethodEvaluation a = world("1", 1, {});
   const MethodEvaluation b = world("2", 3, {0, 0.05});
   const MethodEvaluation* worlds[] = {&a, &b};
-  const MethodEvaluation all = pooled(worlds, labels(), quickConfig());
+  const MethodEvaluation all = pooled(worlds, quickConfig());
   EXPECT_EQ(value(all, "found_truths", kMatchingExists), 1);
   EXPECT_EQ(value(all, "found_truths", kMatchingOneToOne), 1);
   for (const KappaCurve& curve : all.kappa_curves) {
@@ -98,7 +98,7 @@ TEST(Pooling, AnObjectNeverMatchesOneOfAnotherWorld) {
 TEST(Pooling, OneWorldPooledScoresAsItself) {
   const MethodEvaluation a = world("1", 3, {0.1, 2, 2.05, 9});
   const MethodEvaluation* worlds[] = {&a};
-  const MethodEvaluation all = pooled(worlds, labels(), quickConfig());
+  const MethodEvaluation all = pooled(worlds, quickConfig());
   ASSERT_EQ(all.scores.size(), a.scores.size());
   for (std::size_t i = 0; i < a.scores.size(); ++i) {
     EXPECT_EQ(all.scores[i].value, a.scores[i].value) << a.scores[i].metric;

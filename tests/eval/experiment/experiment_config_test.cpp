@@ -49,7 +49,7 @@ TEST(ExperimentConfig, EverySeedIsAWorldOfItsOwn) {
   ASSERT_EQ(config.datasets.size(), 1u);
   EXPECT_THAT(config.datasets[0].overrides, ElementsAre("masks.min_pixels=40"));
   ASSERT_EQ(config.datasets[0].numWorlds(), 2u);
-  EXPECT_EQ(config.datasets[0].open(1).dataset->seed(), 7u);
+  EXPECT_EQ(config.datasets[0].read(1).seed, 7u);
   EXPECT_EQ(config.name, "experiment");
 }
 

@@ -63,8 +63,11 @@ class CountingMethod : public MappingSystem {
 };
 
 MethodConfig counting(const std::string& name, std::size_t throw_at = 1000) {
-  return {name, "type: counting\n",
-          [=](const Dataset&) { return std::make_unique<CountingMethod>(throw_at); }};
+  MethodConfig method;
+  method.name = name;
+  method.resolved_config = "type: counting\n";
+  method.start = [=](const Dataset&) { return std::make_unique<CountingMethod>(throw_at); };
+  return method;
 }
 
 TEST(MapDataset, MakesEachFrameOnceForAllMethods) {

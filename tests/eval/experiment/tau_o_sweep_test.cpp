@@ -21,16 +21,11 @@ Mesh cubeAt(double x) {
 }
 
 /// Chairs at 0 m and at 10 m.
-GroundTruth twoChairs() {
-  GroundTruth truth;
-  for (const double x : {0.0, 10.0}) {
-    GroundTruthObject object;
-    object.id = truth.objects.size() + 1;
-    object.label = kChair;
-    object.mesh = std::make_shared<const Mesh>(cubeAt(x));
-    truth.objects.push_back(object);
-  }
-  return truth;
+Counting twoChairs() {
+  Counting counting;
+  counting.label_space = {{{kChair, "chair", {}, true, true}}};
+  counting.truths = {detectionObject(1, kChair, cubeAt(0)), detectionObject(2, kChair, cubeAt(10))};
+  return counting;
 }
 
 ShapeCandidate candidate(double x, double overlap) {
@@ -57,11 +52,8 @@ EvaluationConfig smallConfig() {
 class TauOSweep : public ::testing::Test {
  protected:
   TauOSweep()
-      : evaluator_("toy", "1", labels_, twoChairs(), smallConfig()),
-        worlds_{{{candidate(0, 0.9), candidate(10, 0.3), candidate(50, 0.1)}, &evaluator_}} {}
+      : worlds_{{{candidate(0, 0.9), candidate(10, 0.3), candidate(50, 0.1)}, twoChairs()}} {}
 
-  LabelSpace labels_{{{kChair, "chair", {}, true, true}}};
-  Evaluator evaluator_;
   std::vector<TauOWorld> worlds_;
 };
 
@@ -125,7 +117,7 @@ TEST(ResultWorlds, FindsPredictionsAndTheConfigOfTheirWorld) {
   EXPECT_EQ(worlds[0].config, "type: simulated\nmasks:\n  a: 1\n");
   EXPECT_EQ(worlds[0].predictions.size(), 2u);
   EXPECT_EQ(worlds[1].config, "type: simulated\nseed: 10\n");
-  EXPECT_THAT(messageOf<InputError>([&] { worlds[2].open(); }), HasSubstr("beside a config file"));
+  EXPECT_THAT(messageOf<InputError>([&] { worlds[2].open(); }), HasSubstr("camera"));
 }
 
 TEST(ResultWorlds, RefusesAFolderThatIsNoResult) {

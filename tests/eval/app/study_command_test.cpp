@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+// Sweeps as a user runs, stops and resumes them.
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <sys/wait.h>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace hydrabench {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class StudyCommand : public ::testing::Test {
+ protected:
+  StudyCommand() {
+    const fs::path configs = fs::path(HYDRABENCH_SOURCE_DIR) / "configs";
+    writeText(folder_ / "base.yaml",
+              fmt::format("datasets:\n  - config: {0}/datasets/office_quick.yaml\n"
+                          "    set: [camera.width_px=180, camera.height_px=120, camera.fx_px=104, "
+                          "camera.fy_px=104, camera.cx_px=90, camera.cy_px=60]\n"
+                          "methods:\n  - config: {0}/methods/hydra.yaml\n"
+                          "  - config: {0}/methods/template_cad.yaml\n"
+                          "max_frames: 60\n"
+                          "evaluation: {{samples: 300, bootstrap_resamples: 10}}\n",
+                          configs.string()));
+    writeText(
+        folder_ / "sweep.yaml",
+        "name: faults\nexperiment: base.yaml\naxes:\n"
+        "  - {name: misses, values: [0, 0.2, 0.4], set: ['dataset.masks.miss_probability={}']}\n");
+  }
+
+  struct Outcome {
+    int exit_code = -1;
+    std::string out;
+    std::string err;
+  };
+  /// @param before  words of the shell in front of the command
+  Outcome run(const std::string& arguments, const std::string& before = "",
+              const std::string& store = "store") {
+    const std::string line = fmt::format(
+        "cd '{}' && HYDRABENCH_STORE='{}' {} '{}' {} >out.txt 2>err.txt", folder_.path().string(),
+        (folder_ / store).string(), before, HYDRABENCH_COMMAND, arguments);
+    const int status = std::system(line.c_str());
+    return {WEXITSTATUS(status), readText(folder_ / "out.txt"), readText(folder_ / "err.txt")};
+  }
+  /// The bytes of the tables of a result.
+  std::map<std::string, std::string> tables(const std::string& result) const {
+    std::map<std::string, std::string> content;
+    for (const char* file : {"scores.csv", "table.md", "table.tex", "table.csv", "table.json",
+                             "plots/faults_office_quick_exists.gp", "config.yaml"}) {
+      content[file] = readText(folder_ / result / file);
+      EXPECT_NE(content[file], "") << file;
+    }
+    return content;
+  }
+  /// When each run of the store was finished.
+  std::map<std::string, fs::file_time_type> finished() const {
+    std::map<std::string, fs::file_time_type> times;
+    if (!fs::exists(folder_ / "store/runs")) return times;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "store/runs")) {
+      if (entry.path().filename() == "run.json") {
+        times[entry.path().parent_path().filename()] = fs::last_write_time(entry.path());
+      }
+    }
+    return times;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(StudyCommand, ASweepIsOneTableAndOnePlot) {
+  const Outcome outcome = run("sweep sweep.yaml --out swept");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Hydra, misses 0.4"));
+  EXPECT_THAT(readText(folder_ / "swept/scores.csv"), ::testing::StartsWith("misses,dataset,seed"));
+  EXPECT_THAT(readText(folder_ / "swept/scores.csv"),
+              HasSubstr("\n0.2,office_quick,1,template_cad"));
+  EXPECT_THAT(readText(folder_ / "swept/plots/faults_office_quick_one_to_one.gp"),
+              HasSubstr("Template CAD"));
+  const Outcome status = run("status sweep.yaml");
+  EXPECT_EQ(status.exit_code, 0);
+  EXPECT_THAT(status.out, HasSubstr("runs       6 done    0 running    0 failed    0 missing"));
+}
+
+TEST_F(StudyCommand, ASweepKilledAgainAndAgainEndsAsIfItHadNotBeen) {
+  ASSERT_EQ(run("sweep sweep.yaml --out undisturbed", "", "other_store").exit_code, 0);
+  std::map<std::string, fs::file_time_type> before;
+  for (const double seconds : {0.3, 1.1, 1.9, 0.7, 2.4, 1.5}) {
+    run("sweep sweep.yaml --out swept --jobs 2", fmt::format("timeout -s KILL {}", seconds));
+    const auto after = finished();
+    for (const auto& [hash, time] : before) EXPECT_EQ(after.at(hash), time) << "done twice";
+    before = after;
+  }
+  const Outcome outcome = run("sweep sweep.yaml --out swept --replace");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(tables("swept"), tables("undisturbed"));
+}
+
+TEST_F(StudyCommand, AFailedUnitIsNamedWithTheCommandThatDoesItAgain) {
+  // Template CAD cannot do without instance images; a recording of the world has none.
+  ASSERT_EQ(run("export " +
+                (fs::path(HYDRABENCH_SOURCE_DIR) / "configs/datasets/office_quick.yaml").string() +
+                " --frames 8 --out world --set camera.width_px=90 --set camera.height_px=60 "
+                "--set camera.fx_px=52 --set camera.fy_px=52 --set camera.cx_px=45 "
+                "--set camera.cy_px=30")
+                .exit_code,
+            0);
+  fs::remove_all(folder_ / "world/instances");
+  const std::string set = " --set 'datasets=[{config: world/dataset.yaml}]'";
+  const Outcome outcome = run("run base.yaml --out result" + set);
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  const Outcome status = run("status base.yaml" + set);
+  EXPECT_EQ(status.exit_code, 4);
+  EXPECT_THAT(status.out, HasSubstr("runs       1 done    0 running    1 failed    0 missing"));
+  const std::string again = "again: hydrabench ";
+  const std::size_t at = status.out.find(again);
+  ASSERT_NE(at, std::string::npos) << status.out;
+  const std::size_t begin = at + again.size();
+  const std::string command = status.out.substr(begin, status.out.find('\n', begin) - begin);
+  EXPECT_THAT(outcome.err, HasSubstr(command));
+  EXPECT_THAT(readText(folder_ / "result/failures.txt"), HasSubstr(command));
+  const Outcome work = run(command);
+  EXPECT_EQ(work.exit_code, 4);
+  EXPECT_THAT(work.err, HasSubstr("has no instance image"));
+}
+
+TEST_F(StudyCommand, AResultWithFailuresMayBeWrittenAgainAWholeOneNot) {
+  ASSERT_EQ(run("run base.yaml --out result").exit_code, 0);
+  EXPECT_EQ(run("run base.yaml --out result").exit_code, 2);
+  writeText(folder_ / "result/failures.txt", "x");
+  EXPECT_EQ(run("run base.yaml --out result").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "result/failures.txt"));
+}
+
+TEST_F(StudyCommand, AProcessWithoutMemoryFailsItsUnitsAndSaysSo) {
+  const Outcome outcome = run("run base.yaml --out result --memory-limit 30");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("every method failed"));
+  EXPECT_FALSE(fs::exists(folder_ / "result"));
+}
+
+TEST_F(StudyCommand, AnExperimentIsNoSweep) {
+  const Outcome outcome = run("sweep base.yaml --out swept");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("'hydrabench run' takes experiments"));
+}
+
+TEST_F(StudyCommand, AJobOfAnotherBuildIsRefused) {
+  writeText(folder_ / "job.json", R"({"program": "0", "world": {}, "runs": [], "scores": []})");
+  const Outcome outcome = run("work job.json");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("job.json: of another build of hydrabench"));
+}
+
+TEST_F(StudyCommand, SlurmThatIsNotThereIsNamed) {
+  if (std::system("command -v sbatch >/dev/null") == 0) GTEST_SKIP() << "Slurm is installed";
+  const Outcome outcome = run("run base.yaml --out result --executor slurm");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--executor slurm: sbatch: cannot be started"));
+}
+
+}  // namespace
+}  // namespace hydrabench
