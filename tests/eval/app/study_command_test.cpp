@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -163,10 +164,65 @@ TEST_F(StudyCommand, AJobOfAnotherBuildIsRefused) {
 }
 
 TEST_F(StudyCommand, SlurmThatIsNotThereIsNamed) {
-  if (std::system("command -v sbatch >/dev/null") == 0) GTEST_SKIP() << "Slurm is installed";
-  const Outcome outcome = run("run base.yaml --out result --executor slurm");
+  // No PATH in which sbatch could be.
+  const Outcome outcome = run("run base.yaml --out result --executor slurm", "PATH=/nowhere");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--executor slurm: sbatch: cannot be started"));
+}
+
+/// With a cluster of one node: real slurmctld, slurmd and munged on loopback.
+class SlurmCommand : public StudyCommand {
+ protected:
+  void SetUp() override {
+    const int status =
+        std::system((kCluster + " start " + cluster() + " >" + cluster() + ".why").c_str());
+    if (status != 0) GTEST_SKIP() << readText(cluster() + ".why");
+    setenv("SLURM_CONF", (cluster() + "/slurm.conf").c_str(), 1);
+  }
+  void TearDown() override {
+    std::system((kCluster + " stop " + cluster()).c_str());
+    fs::remove_all(cluster());
+    fs::remove(cluster() + ".why");
+  }
+
+  // Names of sockets are short.
+  std::string cluster() const { return fmt::format("/tmp/hydrabench_slurm_{}", getpid()); }
+  const std::string kCluster = HYDRABENCH_SOURCE_DIR "/tests/support/slurm_cluster.sh";
+};
+
+TEST_F(SlurmCommand, AJobArrayGivesTheBytesOfTheLocalExecutor) {
+  ASSERT_EQ(run("sweep sweep.yaml --out local", "", "other_store").exit_code, 0);
+  const Outcome outcome =
+      run("sweep sweep.yaml --out swept --executor slurm --sbatch cpus-per-task=1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("6/6 runs"));
+  EXPECT_EQ(tables("swept"), tables("local"));
+}
+
+TEST_F(SlurmCommand, ATaskKilledAndRequeuedInTheMiddleGivesTheSameBytes) {
+  ASSERT_EQ(run("sweep sweep.yaml --out local", "", "other_store").exit_code, 0);
+  // Slurm holds back what was requeued for two minutes unless it is told otherwise.
+  writeText(folder_ / "requeue.sh",
+            "for i in $(seq 200); do\n"
+            "  task=$(squeue -h -t R -o %i | head -n 1)\n"
+            "  [ -n \"$task\" ] && break\n"
+            "  sleep 0.05\n"
+            "done\n"
+            "sleep 0.7\n"
+            "scontrol requeue $task && echo $task\n"
+            "for i in $(seq 60); do scontrol update jobid=$task starttime=now; sleep 0.5; done\n");
+  const Outcome outcome = run("sweep sweep.yaml --out swept --executor slurm --jobs 1",
+                              "env sh -c 'bash requeue.sh >requeued.txt 2>&1 & exec \"$@\"' sh");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(readText(folder_ / "requeued.txt"), HasSubstr("_")) << "nothing was requeued";
+  EXPECT_EQ(tables("swept"), tables("local"));
+}
+
+TEST_F(SlurmCommand, WhatSbatchRefusesIsSaidInOneLine) {
+  const Outcome outcome =
+      run("run base.yaml --out result --executor slurm --sbatch partition=nowhere");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--executor slurm: sbatch refused: sbatch: error: "));
 }
 
 }  // namespace
