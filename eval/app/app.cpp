@@ -37,6 +37,7 @@ constexpr CommandEntry kCommands[] = {
     {"map", "map one dataset with one method", addMap, true},
     {"evaluate", "score predictions against the ground truth of a dataset", addEvaluate, true},
     {"report", "print or convert the table of a result folder", addReport},
+    {"compare", "say whether a result is as good as an earlier one; a gate for CI", addCompare},
     {"audit", "find the whole numbers behind a published table and what they contradict", addAudit},
     {"sweep", "run an experiment over a range of settings: one table, one plot", addSweep, true},
     {"status", "say what of an experiment or sweep is done, running, failed, missing", addStatus,

@@ -75,6 +75,7 @@ int evaluate(const Options& options) {
     }
     progress.advance();
   }
+  result.differences = pairedDifferences(result.evaluations, result.evaluation);
   for (const MethodEvaluation& method : result.evaluations) printRemarks(method);
   fmt::print("{}", renderTerminal(comparisonTable(allScores(result), kAllMicro, result.notes),
                                   isatty(STDOUT_FILENO) == 1));

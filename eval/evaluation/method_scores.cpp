@@ -88,8 +88,7 @@ void rescore(const EvaluationConfig& config, MethodEvaluation& evaluation) {
       evaluation);
 }
 
-MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,
-                        const EvaluationConfig& config) {
+MethodEvaluation merged(std::span<const MethodEvaluation* const> worlds) {
   assert(!worlds.empty());
   MethodEvaluation all;
   all.dataset = worlds.front()->dataset;
@@ -120,6 +119,12 @@ MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,
     }
     all.estimates_without_mesh += world.estimates_without_mesh;
   }
+  return all;
+}
+
+MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,
+                        const EvaluationConfig& config) {
+  MethodEvaluation all = merged(worlds);
   rescore(config, all);
   return all;
 }

@@ -27,6 +27,9 @@ void fillScores(const EvaluationConfig& config, const std::vector<ThresholdMatch
 /// matched at one of config.thresholds_m needs its scores.
 void rescore(const EvaluationConfig& config, MethodEvaluation& evaluation);
 
+/// Objects and pair scores of one method on several worlds in one; no scores yet.
+MethodEvaluation merged(std::span<const MethodEvaluation* const> worlds);
+
 /// One method on several worlds as a whole, seed "pooled": objects are matched within their own
 /// world, then counted and averaged together. The worlds must be those of one dataset.
 MethodEvaluation pooled(std::span<const MethodEvaluation* const> worlds,

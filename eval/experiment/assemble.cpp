@@ -106,7 +106,11 @@ class Assembly {
     if (scored) pool(dataset, first);
   }
 
-  ExperimentOutcome take() { return std::move(outcome_); }
+  ExperimentOutcome take() {
+    outcome_.result.differences =
+        pairedDifferences(outcome_.result.evaluations, experiment_.evaluation);
+    return std::move(outcome_);
+  }
 
  private:
   /// Returns whether there is a score.

@@ -116,7 +116,9 @@ class LocalExecutor {
     std::size_t begin = 0;
     for (std::size_t end = 0; (end = worker.said.find('\n', begin)) != std::string::npos;
          begin = end + 1) {
-      understand(index, Json::parse(worker.said.substr(begin, end - begin)));
+      // What a library prints there is none of our lines.
+      const Json line = Json::parse(worker.said.substr(begin, end - begin), nullptr, false);
+      if (line.is_object()) understand(index, line);
     }
     worker.said.erase(0, begin);
   }

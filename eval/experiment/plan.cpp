@@ -24,12 +24,6 @@ std::filesystem::path withItsFolder(const std::filesystem::path& file) {
              : file;
 }
 
-std::string filesHash(const MethodConfig& method) {
-  ContentHash hash;
-  for (const std::filesystem::path& file : method.files) hash.addContent(withItsFolder(file));
-  return hash.hex();
-}
-
 std::string filesStamp(const DatasetConfig& dataset) {
   ContentHash hash;
   for (const std::filesystem::path& file : dataset.files) hash.addStamp(file);
@@ -73,6 +67,19 @@ class Planner {
   Plan take() { return std::move(plan_); }
 
  private:
+  /// Of what a method reads, read once for all experiments.
+  std::string filesHash(const MethodConfig& method) {
+    std::vector<std::filesystem::path> files;
+    for (const std::filesystem::path& file : method.files) files.push_back(withItsFolder(file));
+    std::string& known = file_hashes_[files];
+    if (known.empty()) {
+      ContentHash hash;
+      for (const std::filesystem::path& file : files) hash.addContent(file);
+      known = hash.hex();
+    }
+    return known;
+  }
+
   static void requireName(const ExperimentConfig::DatasetEntry& entry, const std::string& name) {
     if (isPlainName(name)) return;
     throw InputError(
@@ -140,6 +147,7 @@ class Planner {
   Plan plan_;
   std::map<std::string, std::size_t> worlds_;  ///< index by key
   std::vector<std::string> world_keys_;
+  std::map<std::vector<std::filesystem::path>, std::string> file_hashes_;
   std::map<std::string, std::size_t> units_;  ///< index within its world by hash
 };
 

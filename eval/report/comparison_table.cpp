@@ -30,11 +30,28 @@ const std::vector<TableColumn> kColumns = {
     {"found_truths", "found GT", R"(found GT)", true, 0, false},
     {"truths", "GT", R"(GT)", true, 0, false},
     {"duplicates", "dupl.", R"(dupl.)", false, 0, false},
+    {"rank_stability", "> next", R"($>$ next)", true, 2, false},
 };
 
 /// Rows that know the ground truth compete with nobody.
 bool isUpperBound(const std::string& method) {
   return method.starts_with("oracle_") || method == "ground_truth";
+}
+
+/// Takes out a column in which nothing stands.
+void dropEmptyColumn(const std::string& metric, ComparisonTable& table) {
+  const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                   [&](const TableColumn& c) { return c.metric == metric; });
+  const auto index = column - table.columns.begin();
+  for (const TableBlock& block : table.blocks) {
+    for (const TableRow& row : block.rows) {
+      if (row.cells[static_cast<std::size_t>(index)].value) return;
+    }
+  }
+  for (TableBlock& block : table.blocks) {
+    for (TableRow& row : block.rows) row.cells.erase(row.cells.begin() + index);
+  }
+  table.columns.erase(column);
 }
 
 /// Marks the best three different printed values, so that two cells that look the same are marked
@@ -169,6 +186,7 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::st
     for (std::size_t c = 0; c < kColumns.size(); ++c) rankColumn(block, c, kColumns[c]);
     table.blocks.push_back(std::move(block));
   }
+  dropEmptyColumn("rank_stability", table);
   table.notes = {
       "exists: an estimate counts if any ground-truth object of its class lies within tau_d, many "
       "may share one (the paper's rule); "
@@ -180,6 +198,11 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows, const std::st
       "inside the gate of an object that another one has taken.",
       "[low, high]: 95 % percentile bootstrap over objects.",
   };
+  if (table.columns.back().metric == "rank_stability") {
+    table.notes.push_back(
+        "> next: how likely a method ranks above the next one in F1 when worlds and objects are "
+        "drawn again.");
+  }
   if (std::any_of(methods.begin(), methods.end(), isUpperBound)) {
     table.notes.push_back(
         "(bound): a stage of the method is told the ground truth. An upper bound, not a result; "

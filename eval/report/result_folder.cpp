@@ -9,58 +9,13 @@
 #include "eval/evaluation/csv.h"
 #include "eval/report/comparison_table.h"
 #include "eval/report/kappa_report.h"
+#include "eval/report/objects_csv.h"
 #include "eval/report/variant_table.h"
 
 namespace hydrabench {
 namespace {
 
 constexpr const char* kNotesFile = "notes.txt";
-
-const char* name(ObjectRow::Outcome outcome) {
-  switch (outcome) {
-    case ObjectRow::Outcome::kMatched:
-      return "matched";
-    case ObjectRow::Outcome::kDuplicate:
-      return "duplicate";
-    case ObjectRow::Outcome::kUnmatched:
-      return "unmatched";
-    case ObjectRow::Outcome::kMissed:
-      return "missed";
-  }
-  return "";
-}
-
-/// Id, centre, half diagonal, face count and whether the mesh is watertight; empty cells for an
-/// absent object.
-void appendObject(const ScoredObject* object, std::vector<std::string>& cells) {
-  if (!object) {
-    cells.insert(cells.end(), 7, "");
-    return;
-  }
-  cells.push_back(std::to_string(object->detection.id));
-  for (const double coordinate : object->detection.center) cells.push_back(csvNumber(coordinate));
-  cells.push_back(csvNumber(object->detection.half_diagonal));
-  cells.push_back(std::to_string(object->faces));
-  cells.push_back(object->watertight ? "yes" : "no");
-}
-
-std::vector<std::string> objectColumns() {
-  std::vector<std::string> columns = {"dataset",        "seed",      "method",
-                                      "threshold_kind", "threshold", "matching",
-                                      "outcome",        "class",     "center_distance_m"};
-  for (const std::string side : {"estimate", "truth"}) {
-    for (const char* field : {"id", "center_x_m", "center_y_m", "center_z_m", "half_diagonal_m",
-                              "faces", "watertight"}) {
-      columns.push_back(side + "_" + field);
-    }
-  }
-  for (const char* field :
-       {"truth_name", "truth_subtype", "truth_room", "truth_visible_fraction"}) {
-    columns.push_back(field);
-  }
-  for (const PairScoreColumn& column : pairScoreColumns()) columns.emplace_back(column.name);
-  return columns;
-}
 
 }  // namespace
 
@@ -77,39 +32,9 @@ std::vector<ScoreRow> allScores(const Result& result) {
   for (const MethodEvaluation& method : result.evaluations) {
     rows.insert(rows.end(), method.scores.begin(), method.scores.end());
   }
+  const std::vector<ScoreRow> stability = rankStabilityRows(result.differences);
+  rows.insert(rows.end(), stability.begin(), stability.end());
   return rows;
-}
-
-std::string objectsCsv(const Result& result) {
-  std::string text = csvLine(objectColumns());
-  for (const MethodEvaluation& method : result.evaluations) {
-    for (const ObjectRow& row : method.objects) {
-      const ScoredObject* estimate = row.estimate ? &method.estimates[*row.estimate] : nullptr;
-      const ScoredObject* truth = row.truth ? &method.truths[*row.truth] : nullptr;
-      std::vector<std::string> cells = {method.dataset,
-                                        method.seed,
-                                        method.method,
-                                        name(row.threshold.kind),
-                                        csvNumber(row.threshold.value),
-                                        name(row.matching),
-                                        name(row.outcome),
-                                        (estimate ? estimate : truth)->class_name,
-                                        csvNumber(row.center_distance_m)};
-      appendObject(estimate, cells);
-      appendObject(truth, cells);
-      if (truth) {
-        cells.insert(cells.end(), {truth->name, truth->subtype, truth->room,
-                                   csvNumber(truth->visible_fraction)});
-      } else {
-        cells.insert(cells.end(), 4, "");
-      }
-      for (const PairScoreColumn& column : pairScoreColumns()) {
-        cells.push_back(row.scores ? csvNumber((*row.scores).*column.value) : "");
-      }
-      text += csvLine(cells);
-    }
-  }
-  return text;
 }
 
 std::string kappaCsv(const Result& result) {
@@ -139,9 +64,16 @@ std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result)
     const std::vector<ScoreRow> scores = allScores(result);
     const ComparisonTable table = comparisonTable(scores, kAllMicro, result.notes);
     writeFileAtomic(out / "scores.csv", scoresCsv(scores));
-    writeFileAtomic(out / "objects.csv", objectsCsv(result));
+    writeFileAtomic(out / "objects.csv", objectsCsv(result.evaluations));
     writeFileAtomic(out / "variants.csv",
                     renderVariantsCsv(variantRows(result.evaluations, result.evaluation)));
+    if (!result.differences.empty()) {
+      writeFileAtomic(out / "significance.csv", significanceCsv(result.differences));
+      writeFileAtomic(out / "significance.md", significanceMarkdown(result.differences));
+    }
+    const std::vector<Stratum> by_visibility = strata(result.evaluations, result.evaluation);
+    writeFileAtomic(out / "strata.csv", strataCsv(by_visibility));
+    writeFileAtomic(out / "strata.md", strataMarkdown(by_visibility));
     writeFileAtomic(out / "kappa.csv", kappaCsv(result));
     remarks = writeKappaReport(out, result.evaluations, result.evaluation);
     writeFileAtomic(out / "table.md", renderMarkdown(table));

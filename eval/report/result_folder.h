@@ -10,12 +10,14 @@
 #include "eval/evaluation/evaluator.h"
 #include "eval/experiment/provenance.h"
 #include "eval/experiment/timing.h"
+#include "eval/report/significance.h"
 
 namespace hydrabench {
 
 /// What evaluate and run write: any number of methods on any number of worlds.
 struct Result {
   std::vector<MethodEvaluation> evaluations;  ///< one per dataset, seed and method; pooled ones too
+  std::vector<PairedDifference> differences;  ///< between the methods; pairedDifferences()
   std::vector<TimingRow> timing;              ///< empty where nothing was mapped
   std::vector<std::string> notes;             ///< on the methods, for the table
   std::string config;                         ///< resolved YAML
@@ -26,17 +28,16 @@ struct Result {
 /// A result folder can be replaced by another: it is known by this file.
 inline constexpr const char* kResultMarker = "provenance.json";
 
-/// Writes scores.csv, objects.csv, variants.csv, kappa*, table.*, plots, timing.csv, notes.txt,
-/// config.yaml and provenance.json (docs/metrics.md; each where there is something to write) and
-/// commits the folder. Claim it before the work: what cannot be written should be known first.
-/// Returns what is missing, a line each: plots need gnuplot.
+/// Writes scores.csv, objects.csv, variants.csv, significance.*, strata.*, kappa*, table.*, plots,
+/// timing.csv, notes.txt, config.yaml and provenance.json (docs/metrics.md; each where there is
+/// something to write) and commits the folder. Claim it before the work: what cannot be written
+/// should be known first. Returns what is missing, a line each: plots need gnuplot.
 std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result);
 
+/// With a row for the rank stability of every method.
 std::vector<ScoreRow> allScores(const Result& result);
 /// The notes of a result folder; empty where it has none.
 std::vector<std::string> readNotes(const std::filesystem::path& folder);
-std::string objectsCsv(const Result& result);  ///< a row per estimate and per missed ground-truth
-                                               ///< object, threshold and matching
-std::string kappaCsv(const Result& result);    ///< the exact steps of the sweep
+std::string kappaCsv(const Result& result);  ///< the exact steps of the sweep
 
 }  // namespace hydrabench

@@ -150,6 +150,19 @@ TEST_F(StudyCommand, AProcessWithoutMemoryFailsItsUnitsAndSaysSo) {
   EXPECT_FALSE(fs::exists(folder_ / "result"));
 }
 
+TEST_F(StudyCommand, AGateTellsAWorseResultFromTheSame) {
+  ASSERT_EQ(run("run base.yaml --out before").exit_code, 0);
+  ASSERT_EQ(run("run base.yaml --out after").exit_code, 0);
+  const Outcome same = run("compare before after --gate");
+  EXPECT_EQ(same.exit_code, 0) << same.out;
+  EXPECT_THAT(same.out, HasSubstr("| same |"));
+  ASSERT_EQ(run("run base.yaml --out less --set max_frames=3").exit_code, 0);
+  const Outcome worse = run("compare before less --gate --no-times --junit junit.xml");
+  EXPECT_THAT(worse.exit_code, ::testing::AnyOf(1, 3)) << worse.out;
+  EXPECT_THAT(readText(folder_ / "junit.xml"), HasSubstr("<testsuite"));
+  EXPECT_EQ(run("compare before nowhere --gate").exit_code, 2);
+}
+
 TEST_F(StudyCommand, AnExperimentIsNoSweep) {
   const Outcome outcome = run("sweep base.yaml --out swept");
   EXPECT_EQ(outcome.exit_code, 2);

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/report/result_comparison.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/io/atomic_file.h"
+#include "core/types/error.h"
+#include "eval/evaluation/method_scores.h"
+#include "eval/report/comparison_table.h"
+#include "eval/report/objects_csv.h"
+#include "eval/report/result_folder.h"
+#include "eval/report/significance.h"
+
+namespace hydrabench {
+namespace fs = std::filesystem;
+namespace {
+
+using Verdict = ResultComparison::Verdict;
+using Line = ResultComparison::Line;
+
+/// By dataset and method, the worlds by seed.
+using Worlds = std::map<std::string, MethodEvaluation>;
+using Methods = std::map<std::pair<std::string, std::string>, Worlds>;
+
+Methods readMethods(const fs::path& result) {
+  const fs::path file = result / "objects.csv";
+  if (!fs::exists(file)) {
+    throw InputError(
+        fmt::format("{}: no objects.csv in there, expected a result folder of 'run' "
+                    "or 'evaluate'",
+                    result.string()));
+  }
+  Methods methods;
+  for (MethodEvaluation& evaluation : readObjectsCsv(file)) {
+    std::pair<std::string, std::string> key{evaluation.dataset, evaluation.method};
+    methods[std::move(key)].emplace(evaluation.seed, std::move(evaluation));
+  }
+  return methods;
+}
+
+std::vector<double> thresholds(const fs::path& result) {
+  std::set<double> values;
+  for (const ScoreRow& row : readScoresCsv(result / "scores.csv")) {
+    if (row.threshold_kind == "tau_m" && row.threshold) values.insert(*row.threshold);
+  }
+  return {values.begin(), values.end()};
+}
+
+/// @param better  +1 where more is better, -1 where less is
+Verdict judge(double low, double high, double floor, int better) {
+  if (better < 0) {
+    std::swap(low, high);
+    low = -low;
+    high = -high;
+  }
+  if (low > 0) return Verdict::kBetter;
+  if (high < -floor) return Verdict::kWorse;
+  return low < -floor ? Verdict::kInconclusive : Verdict::kSame;
+}
+
+class Comparer {
+ public:
+  Comparer(const fs::path& before, const fs::path& after, const NoiseFloor& floor)
+      : before_path_(before), after_path_(after), floor_(floor) {}
+
+  ResultComparison run() {
+    const Methods before = readMethods(before_path_);
+    const Methods after = readMethods(after_path_);
+    config_.thresholds_m = thresholds(after_path_);
+    config_.bootstrap_resamples = floor_.resamples;
+    for (const auto& [key, worlds] : before) {
+      const auto other = after.find(key);
+      if (other == after.end()) {
+        note(fmt::format("{}, {}: only in the first result", key.first, methodLabel(key.second)));
+      } else {
+        compare(key.first, key.second, worlds, other->second);
+      }
+    }
+    for (const auto& [key, worlds] : after) {
+      if (before.contains(key)) continue;
+      note(fmt::format("{}, {}: only in the second result", key.first, methodLabel(key.second)));
+    }
+    if (comparison_.lines.empty()) {
+      throw InputError(fmt::format("{} and {}: no method on a world of both, nothing to compare",
+                                   before_path_.string(), after_path_.string()));
+    }
+    if (floor_.compare_times) compareTimes();
+    return std::move(comparison_);
+  }
+
+ private:
+  void note(std::string text) { comparison_.notes.push_back(std::move(text)); }
+
+  void compare(const std::string& dataset, const std::string& method, const Worlds& before,
+               const Worlds& after) {
+    std::vector<const MethodEvaluation*> a, b;
+    for (const auto& [seed, world] : before) {
+      const auto other = after.find(seed);
+      if (other == after.end()) {
+        note(fmt::format("{}, seed {}, {}: only in the first result", dataset, seed,
+                         methodLabel(method)));
+        continue;
+      }
+      requireSameTruths(dataset, seed, world, other->second);
+      a.push_back(&world);
+      b.push_back(&other->second);
+    }
+    if (a.empty()) return;
+    std::vector<MethodEvaluation> pair = {merged(a), merged(b)};
+    pair[0].method = kBefore;
+    pair[1].method = kAfter;
+    for (const PairedDifference& d : pairedDifferences(pair, config_)) {
+      const bool first_is_after = d.method_a == kAfter;
+      const int sign = first_is_after ? 1 : -1;
+      Line line{dataset,
+                method,
+                fmt::format("{} ({:g} m)", d.metric, d.threshold_m),
+                first_is_after ? d.value_b : d.value_a,
+                first_is_after ? d.value_a : d.value_b,
+                sign * d.comparison.interval.low + 0.0,  // no -0
+                sign * d.comparison.interval.high + 0.0};
+      if (line.low > line.high) std::swap(line.low, line.high);
+      const bool distance = d.metric.starts_with("chamfer");
+      line.verdict = judge(line.low, line.high, distance ? floor_.distance_m : floor_.score,
+                           distance ? -1 : 1);
+      comparison_.lines.push_back(std::move(line));
+    }
+  }
+
+  void requireSameTruths(const std::string& dataset, const std::string& seed,
+                         const MethodEvaluation& a, const MethodEvaluation& b) const {
+    const bool same = std::equal(a.truths.begin(), a.truths.end(), b.truths.begin(), b.truths.end(),
+                                 [](const ScoredObject& x, const ScoredObject& y) {
+                                   return x.detection.id == y.detection.id &&
+                                          x.detection.center == y.detection.center;
+                                 });
+    if (same) return;
+    throw InputError(fmt::format(
+        "{} and {}: dataset '{}', seed {}: ground truth differs, expected the same worlds",
+        before_path_.string(), after_path_.string(), dataset, seed));
+  }
+
+  std::string machine(const fs::path& result) const {
+    try {
+      const auto json = nlohmann::json::parse(readFile(result / kResultMarker));
+      return fmt::format("{}, {} cores", json.at("cpu").get<std::string>(),
+                         json.at("cores").get<int>());
+    } catch (const nlohmann::json::exception&) {
+      return "unknown";
+    }
+  }
+
+  /// Mean time per frame, by world.
+  void compareTimes() {
+    const fs::path before_file = before_path_ / "timing.csv";
+    const fs::path after_file = after_path_ / "timing.csv";
+    if (!fs::exists(before_file) || !fs::exists(after_file)) {
+      return note("time: not compared, not both results were timed");
+    }
+    if (machine(before_path_) != machine(after_path_)) {
+      return note(fmt::format("time: not compared, other machines ({}; {})", machine(before_path_),
+                              machine(after_path_)));
+    }
+    using Key = std::pair<std::string, std::string>;
+    std::map<Key, std::map<std::string, double>> before;
+    for (const TimingRow& row : readTimingCsv(before_file)) {
+      if (row.stage == "frame") before[{row.dataset, row.method}][row.seed] = row.mean_ms;
+    }
+    std::map<Key, std::vector<std::pair<double, double>>> pairs;
+    for (const TimingRow& row : readTimingCsv(after_file)) {
+      if (row.stage != "frame") continue;
+      const auto known = before.find({row.dataset, row.method});
+      if (known == before.end() || !known->second.contains(row.seed)) continue;
+      pairs[{row.dataset, row.method}].emplace_back(known->second.at(row.seed), row.mean_ms);
+    }
+    for (const auto& [key, worlds] : pairs) {
+      Line line{key.first, key.second, "time per frame [ms]", 0, 0, 1e300, -1e300};
+      for (const auto& [a, b] : worlds) {
+        line.before += a / static_cast<double>(worlds.size());
+        line.after += b / static_cast<double>(worlds.size());
+        line.low = std::min(line.low, b / a - 1);
+        line.high = std::max(line.high, b / a - 1);
+      }
+      // Not an interval: the least and the most of all worlds. Slower everywhere is slower.
+      line.verdict = line.low > floor_.time_share     ? Verdict::kWorse
+                     : line.high < -floor_.time_share ? Verdict::kBetter
+                     : line.high > floor_.time_share  ? Verdict::kInconclusive
+                                                      : Verdict::kSame;
+      comparison_.lines.push_back(std::move(line));
+    }
+  }
+
+  static constexpr const char* kBefore = "before";
+  static constexpr const char* kAfter = "after";
+  fs::path before_path_;
+  fs::path after_path_;
+  NoiseFloor floor_;
+  EvaluationConfig config_;
+  ResultComparison comparison_;
+};
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string sentence(const Line& line) {
+  return fmt::format("{:.4g} -> {:.4g}, difference [{:+.4f}, {:+.4f}]", line.before, line.after,
+                     line.low, line.high);
+}
+
+}  // namespace
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kSame:
+      return "same";
+    case Verdict::kBetter:
+      return "better";
+    case Verdict::kWorse:
+      return "worse";
+    case Verdict::kInconclusive:
+      return "inconclusive";
+  }
+  return "";
+}
+
+Verdict ResultComparison::verdict() const {
+  const auto any = [&](Verdict verdict) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const Line& line) { return line.verdict == verdict; });
+  };
+  for (const Verdict verdict : {Verdict::kWorse, Verdict::kInconclusive, Verdict::kBetter}) {
+    if (any(verdict)) return verdict;
+  }
+  return Verdict::kSame;
+}
+
+ResultComparison compareResults(const fs::path& before, const fs::path& after,
+                                const NoiseFloor& floor) {
+  return Comparer(before, after, floor).run();
+}
+
+std::string comparisonMarkdown(const ResultComparison& comparison) {
+  std::string text =
+      "| dataset | method | metric | before | after | difference, 95 % | verdict |\n"
+      "|---|---|---|---:|---:|---|---|\n";
+  for (const Line& line : comparison.lines) {
+    const bool time = line.metric.starts_with("time");
+    const std::string difference =
+        time ? fmt::format("{:+.0f} to {:+.0f} % by world", 100 * line.low, 100 * line.high)
+             : fmt::format("{:+.4f} to {:+.4f}", line.low, line.high);
+    text += fmt::format("| {} | {} | {} | {:.4g} | {:.4g} | {} | {} |\n", line.dataset,
+                        methodLabel(line.method), line.metric, line.before, line.after, difference,
+                        name(line.verdict));
+  }
+  for (const std::string& note : comparison.notes) text += fmt::format("\n- {}", note);
+  if (!comparison.notes.empty()) text += "\n";
+  return text + fmt::format("\n**{}**\n", name(comparison.verdict()));
+}
+
+std::string comparisonJUnit(const ResultComparison& comparison) {
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(comparison.lines.begin(), comparison.lines.end(),
+                         [&](const Line& line) { return line.verdict == verdict; });
+  };
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"hydrabench compare\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
+      comparison.lines.size(), count(Verdict::kWorse), count(Verdict::kInconclusive));
+  for (const Line& line : comparison.lines) {
+    text += fmt::format("  <testcase classname=\"{}.{}\" name=\"{}\">", escaped(line.dataset),
+                        escaped(line.method), escaped(line.metric));
+    if (line.verdict == Verdict::kWorse) {
+      text += fmt::format("<failure message=\"{}\"/>", escaped(sentence(line)));
+    } else if (line.verdict == Verdict::kInconclusive) {
+      text += fmt::format("<skipped message=\"{}\"/>", escaped(sentence(line)));
+    } else {
+      text += fmt::format("<system-out>{}</system-out>", escaped(sentence(line)));
+    }
+    text += "</testcase>\n";
+  }
+  return text + "</testsuite>\n";
+}
+
+}  // namespace hydrabench
