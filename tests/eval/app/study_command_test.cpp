@@ -216,7 +216,7 @@ TEST_F(SlurmCommand, ATaskKilledAndRequeuedInTheMiddleGivesTheSameBytes) {
   ASSERT_EQ(run("sweep sweep.yaml --out local", "", "other_store").exit_code, 0);
   // Slurm holds back what was requeued for two minutes unless it is told otherwise.
   writeText(folder_ / "requeue.sh",
-            "for i in $(seq 200); do\n"
+            "for i in $(seq 600); do\n"
             "  task=$(squeue -h -t R -o %i | head -n 1)\n"
             "  [ -n \"$task\" ] && break\n"
             "  sleep 0.05\n"
