@@ -36,7 +36,7 @@ void tellFailures(const std::vector<UnitFailure>& failures, const Execution& exe
                   const std::filesystem::path& folder);
 
 /// For AtomicFolder: whether a result that stands there may be replaced. It may if it was asked
-/// for, and where it is of the same study and lacks what had failed.
+/// for, and where its failures.txt says that it is not whole. Whose result it is is not looked at.
 std::string replaceableMarker(const std::filesystem::path& folder, bool replace);
 
 }  // namespace hydrabench

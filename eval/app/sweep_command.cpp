@@ -49,10 +49,7 @@ void writeGrid(const Study& study, const std::vector<ExperimentOutcome>& outcome
   const ComparisonTable table = sweepTable(sweep);
   fmt::print("{}\n", renderTerminal(table, isatty(STDOUT_FILENO) == 1));
   writeFileAtomic(folder / "scores.csv", sweepCsv(sweep));
-  writeFileAtomic(folder / "table.md", renderMarkdown(table));
-  writeFileAtomic(folder / "table.tex", renderLatex(table));
-  writeFileAtomic(folder / "table.csv", renderCsv(table));
-  writeFileAtomic(folder / "table.json", renderJson(table));
+  writeTable(folder, table);
   for (const std::string& dataset : sweepDatasets(sweep)) {
     for (const Matching matching : {Matching::kExists, Matching::kOneToOne}) {
       draw(sweepPlot(sweep, dataset, name(matching)), folder,

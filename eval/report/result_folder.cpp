@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "eval/evaluation/csv.h"
-#include "eval/report/comparison_table.h"
 #include "eval/report/kappa_report.h"
 #include "eval/report/objects_csv.h"
 #include "eval/report/variant_table.h"
@@ -57,6 +56,13 @@ std::string kappaCsv(const Result& result) {
   return text;
 }
 
+void writeTable(const std::filesystem::path& folder, const ComparisonTable& table) {
+  writeFileAtomic(folder / "table.md", renderMarkdown(table));
+  writeFileAtomic(folder / "table.tex", renderLatex(table));
+  writeFileAtomic(folder / "table.csv", renderCsv(table));
+  writeFileAtomic(folder / "table.json", renderJson(table));
+}
+
 std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result) {
   const std::filesystem::path& out = folder.temporary();
   std::vector<std::string> remarks;
@@ -76,10 +82,7 @@ std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result)
     writeFileAtomic(out / "strata.md", strataMarkdown(by_visibility));
     writeFileAtomic(out / "kappa.csv", kappaCsv(result));
     remarks = writeKappaReport(out, result.evaluations, result.evaluation);
-    writeFileAtomic(out / "table.md", renderMarkdown(table));
-    writeFileAtomic(out / "table.tex", renderLatex(table));
-    writeFileAtomic(out / "table.csv", renderCsv(table));
-    writeFileAtomic(out / "table.json", renderJson(table));
+    writeTable(out, table);
   }
   if (!result.timing.empty()) writeFileAtomic(out / "timing.csv", timingCsv(result.timing));
   if (!result.notes.empty()) {

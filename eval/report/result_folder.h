@@ -10,6 +10,7 @@
 #include "eval/evaluation/evaluator.h"
 #include "eval/experiment/provenance.h"
 #include "eval/experiment/timing.h"
+#include "eval/report/comparison_table.h"
 #include "eval/report/significance.h"
 
 namespace hydrabench {
@@ -33,6 +34,9 @@ inline constexpr const char* kResultMarker = "provenance.json";
 /// something to write) and commits the folder. Claim it before the work: what cannot be written
 /// should be known first. Returns what is missing, a line each: plots need gnuplot.
 std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result);
+
+/// table.md, table.tex, table.csv and table.json.
+void writeTable(const std::filesystem::path& folder, const ComparisonTable& table);
 
 /// With a row for the rank stability of every method.
 std::vector<ScoreRow> allScores(const Result& result);
