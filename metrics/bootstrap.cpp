@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <span>
+#include <numeric>
 
 #include "core/types/random.h"
 
@@ -85,7 +85,8 @@ PairedComparison compare(double difference, std::vector<double> differences,
       std::min(count([](double d) { return d <= 0; }), count([](double d) { return d >= 0; }));
   PairedComparison comparison;
   comparison.difference = difference;
-  comparison.p_value = std::min(1.0, 2 * (beyond + 1) / (config.resamples + 1.0));
+  comparison.p_value =
+      std::min(1.0, 2 * (beyond + 1) / (static_cast<double>(differences.size()) + 1.0));
   comparison.interval = percentileInterval(differences, config.confidence);
   return comparison;
 }
@@ -172,9 +173,9 @@ std::optional<PairedComparison> pairedBootstrap(const PairedValuesByClass& value
   return compare(difference(plainSum), std::move(differences), config);
 }
 
-std::optional<PairedComparison> pairedBootstrapF1(const std::map<Label, PairedDetection>& classes,
-                                                  Averaging averaging,
-                                                  const BootstrapConfig& config) {
+std::optional<PairedComparison> pairedBootstrapDetection(
+    const std::map<Label, PairedDetection>& classes, DetectionScore detection_score,
+    Averaging averaging, const BootstrapConfig& config) {
   std::map<Label, PairedDetection> ordered = classes;
   for (auto& [label, of_class] : ordered) of_class.found = sorted(std::move(of_class.found));
 
@@ -187,9 +188,9 @@ std::optional<PairedComparison> pairedBootstrapF1(const std::map<Label, PairedDe
       counts_b[label] = {c.estimates_b, matched(c.matched_estimates_b, c.estimates_b),
                          c.found.size(), static_cast<std::size_t>(found.b)};
     }
-    const std::optional<double> f1_a = score(counts_a, f1, averaging).value;
-    const std::optional<double> f1_b = score(counts_b, f1, averaging).value;
-    return f1_a && f1_b ? std::optional<double>(*f1_a - *f1_b) : std::nullopt;
+    const std::optional<double> score_a = score(counts_a, detection_score, averaging).value;
+    const std::optional<double> score_b = score(counts_b, detection_score, averaging).value;
+    return score_a && score_b ? std::optional<double>(*score_a - *score_b) : std::nullopt;
   };
   const std::optional<double> observed =
       difference(plainSum, [](std::size_t marked, std::size_t) { return marked; });
@@ -201,6 +202,30 @@ std::optional<PairedComparison> pairedBootstrapF1(const std::map<Label, PairedDe
     return drawn.value_or(0);
   });
   return compare(*observed, std::move(differences), config);
+}
+
+std::optional<PairedComparison> bootstrapStatistic(std::span<const std::size_t> stratum_sizes,
+                                                   const DrawStatistic& statistic,
+                                                   const BootstrapConfig& config) {
+  std::vector<std::size_t> drawn(
+      std::accumulate(stratum_sizes.begin(), stratum_sizes.end(), std::size_t{0}));
+  std::iota(drawn.begin(), drawn.end(), std::size_t{0});
+  const std::optional<double> observed = statistic(drawn);
+  if (!observed) return std::nullopt;
+  std::vector<double> values;
+  for (int i = 0; i < config.resamples; ++i) {
+    Random random(config.seed, static_cast<std::uint64_t>(i));
+    std::size_t first = 0;
+    for (const std::size_t size : stratum_sizes) {
+      for (std::size_t k = first; k < first + size; ++k) {
+        drawn[k] = first + random.index(static_cast<std::uint32_t>(size));
+      }
+      first += size;
+    }
+    if (const auto value = statistic(drawn)) values.push_back(*value);
+  }
+  if (values.empty()) return std::nullopt;
+  return compare(*observed, std::move(values), config);
 }
 
 }  // namespace hydrabench

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "metrics/aggregate.h"
@@ -75,8 +78,8 @@ using PairedValuesByClass = std::map<Label, std::vector<PairedValue>>;
 std::optional<PairedComparison> pairedBootstrap(const PairedValuesByClass& values,
                                                 Averaging averaging, const BootstrapConfig& config);
 
-/// Difference in F1, pooled or averaged over classes: truths are drawn in pairs, the two sets of
-/// estimates independently.
+/// Difference in P, R or F1, pooled or averaged over classes: truths are drawn in pairs, the two
+/// sets of estimates independently.
 struct PairedDetection {
   std::size_t estimates_a = 0;
   std::size_t matched_estimates_a = 0;
@@ -84,8 +87,18 @@ struct PairedDetection {
   std::size_t matched_estimates_b = 0;
   std::vector<PairedValue> found;  ///< per truth, 1 or 0
 };
-std::optional<PairedComparison> pairedBootstrapF1(const std::map<Label, PairedDetection>& classes,
-                                                  Averaging averaging,
-                                                  const BootstrapConfig& config);
+std::optional<PairedComparison> pairedBootstrapDetection(
+    const std::map<Label, PairedDetection>& classes, DetectionScore detection_score,
+    Averaging averaging, const BootstrapConfig& config);
+
+/// Any statistic of a set of objects (a difference of means over those found, a slope): gets the
+/// indices of a draw, sum of the stratum sizes many, and says nullopt where they do not define it.
+using DrawStatistic = std::function<std::optional<double>(std::span<const std::size_t> drawn)>;
+/// Indices count through the strata, 0 to the sum of their sizes less 1, and each stratum is drawn
+/// with replacement at its own size. Draws that leave the statistic undefined are left out;
+/// undefined where it is so on the data itself. Depends on the order of the objects: sort them.
+std::optional<PairedComparison> bootstrapStatistic(std::span<const std::size_t> stratum_sizes,
+                                                   const DrawStatistic& statistic,
+                                                   const BootstrapConfig& config);
 
 }  // namespace hydrabench

@@ -38,6 +38,7 @@ constexpr CommandEntry kCommands[] = {
     {"evaluate", "score predictions against the ground truth of a dataset", addEvaluate, true},
     {"report", "print or convert the table of a result folder", addReport},
     {"compare", "say whether a result is as good as an earlier one; a gate for CI", addCompare},
+    {"claims", "say which claims of a paper hold in results, fail, or are undecided", addClaims},
     {"audit", "find the whole numbers behind a published table and what they contradict", addAudit},
     {"sweep", "run an experiment over a range of settings: one table, one plot", addSweep, true},
     {"status", "say what of an experiment or sweep is done, running, failed, missing", addStatus,

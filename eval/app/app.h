@@ -32,6 +32,7 @@ Command addSweep(CLI::App& app);
 Command addStatus(CLI::App& app);
 Command addWork(CLI::App& app);
 Command addAudit(CLI::App& app);
+Command addClaims(CLI::App& app);
 Command addCompare(CLI::App& app);
 Command addSelftest(CLI::App& app);
 Command addTemplates(CLI::App& app);

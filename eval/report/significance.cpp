@@ -14,6 +14,7 @@
 #include "eval/evaluation/csv.h"
 #include "eval/evaluation/method_scores.h"
 #include "eval/report/comparison_table.h"
+#include "eval/report/matched_method.h"
 #include "metrics/aggregate.h"
 #include "metrics/ranking.h"
 
@@ -22,28 +23,6 @@ namespace {
 
 constexpr std::array<const char*, 3> kPairScores = {"b_iou", "v_iou_solid", "chamfer_l1"};
 constexpr std::array<double, 5> kStrata = {0, 0.25, 0.5, 0.75, 1};
-
-/// A method on all worlds of a dataset, matched at one threshold.
-struct Matched {
-  const MethodEvaluation* evaluation = nullptr;
-  DetectionMatches matches;
-  double f1 = 0;
-
-  bool found(std::size_t truth) const { return matches.estimate_of_truth[truth].has_value(); }
-  const PairScores* scores(std::size_t truth) const {
-    const auto& estimate = matches.estimate_of_truth[truth];
-    return estimate ? &evaluation->pair_scores.at({*estimate, truth}) : nullptr;
-  }
-};
-
-Matched matched(const MethodEvaluation& evaluation, double threshold_m) {
-  Matched result;
-  result.evaluation = &evaluation;
-  result.matches = matchOneToOne(detections(evaluation.estimates), detections(evaluation.truths),
-                                 Threshold::tau(threshold_m));
-  result.f1 = f1(counts(result.matches)).value_or(0);
-  return result;
-}
 
 /// The evaluations that stand for each dataset: pooled ones where there are several worlds.
 std::vector<std::vector<const MethodEvaluation*>> byDataset(
@@ -63,15 +42,7 @@ std::vector<std::vector<const MethodEvaluation*>> byDataset(
   return datasets;
 }
 
-bool sameTruths(const MethodEvaluation& a, const MethodEvaluation& b) {
-  return std::equal(a.truths.begin(), a.truths.end(), b.truths.begin(), b.truths.end(),
-                    [](const ScoredObject& x, const ScoredObject& y) {
-                      return x.detection.id == y.detection.id &&
-                             x.detection.world == y.detection.world;
-                    });
-}
-
-std::vector<WorldOutcome> worldOutcomes(const Matched& method) {
+std::vector<WorldOutcome> worldOutcomes(const MatchedMethod& method) {
   std::size_t num_worlds = 0;
   for (const ScoredObject& truth : method.evaluation->truths) {
     num_worlds = std::max<std::size_t>(num_worlds, truth.detection.world + 1);
@@ -89,39 +60,7 @@ std::vector<WorldOutcome> worldOutcomes(const Matched& method) {
   return worlds;
 }
 
-/// Whether two methods said the same: then they differ on no draw.
-bool sameAnswers(const Matched& a, const Matched& b) {
-  return a.matches.truth_of_estimate == b.matches.truth_of_estimate &&
-         std::equal(a.evaluation->estimates.begin(), a.evaluation->estimates.end(),
-                    b.evaluation->estimates.begin(), b.evaluation->estimates.end(),
-                    [](const ScoredObject& x, const ScoredObject& y) {
-                      return x.detection.label == y.detection.label &&
-                             x.detection.center == y.detection.center;
-                    });
-}
-
-std::optional<PairedComparison> compareF1(const Matched& a, const Matched& b,
-                                          const BootstrapConfig& config) {
-  if (sameAnswers(a, b)) return PairedComparison{};
-  std::map<Label, PairedDetection> classes;
-  for (std::size_t t = 0; t < a.evaluation->truths.size(); ++t) {
-    classes[a.evaluation->truths[t].detection.label].found.push_back(
-        {a.found(t) ? 1.0 : 0.0, b.found(t) ? 1.0 : 0.0});
-  }
-  for (std::size_t e = 0; e < a.evaluation->estimates.size(); ++e) {
-    PairedDetection& of_class = classes[a.evaluation->estimates[e].detection.label];
-    ++of_class.estimates_a;
-    of_class.matched_estimates_a += a.matches.truth_of_estimate[e].has_value();
-  }
-  for (std::size_t e = 0; e < b.evaluation->estimates.size(); ++e) {
-    PairedDetection& of_class = classes[b.evaluation->estimates[e].detection.label];
-    ++of_class.estimates_b;
-    of_class.matched_estimates_b += b.matches.truth_of_estimate[e].has_value();
-  }
-  return pairedBootstrapF1(classes, Averaging::kMicro, config);
-}
-
-TruthOutcome outcomeOf(const Matched& method, std::size_t truth) {
+TruthOutcome outcomeOf(const MatchedMethod& method, std::size_t truth) {
   const ScoredObject& object = method.evaluation->truths[truth];
   TruthOutcome outcome;
   outcome.label = object.detection.label;
@@ -137,7 +76,8 @@ struct PairedScores {
   double mean_a = 0;
   double mean_b = 0;
 };
-PairedScores pairedScores(const Matched& a, const Matched& b, const PairScoreColumn& column) {
+PairedScores pairedScores(const MatchedMethod& a, const MatchedMethod& b,
+                          const PairScoreColumn& column) {
   PairedScores result;
   std::size_t count = 0;
   for (std::size_t t = 0; t < a.evaluation->truths.size(); ++t) {
@@ -159,29 +99,31 @@ PairedScores pairedScores(const Matched& a, const Matched& b, const PairScoreCol
 /// All pairs of methods on one dataset at one threshold, in one metric after the other.
 std::vector<PairedDifference> pairsAt(const std::vector<const MethodEvaluation*>& evaluations,
                                       double threshold_m, const EvaluationConfig& config) {
-  std::vector<Matched> methods;
+  std::vector<MatchedMethod> methods;
   for (const MethodEvaluation* evaluation : evaluations) {
     if (sameTruths(*evaluation, *evaluations.front())) {
-      methods.push_back(matched(*evaluation, threshold_m));
+      methods.push_back(
+          matchedMethod(*evaluation, Threshold::tau(threshold_m), Matching::kOneToOne));
     }
   }
-  std::stable_sort(methods.begin(), methods.end(),
-                   [](const Matched& a, const Matched& b) { return a.f1 > b.f1; });
+  std::stable_sort(
+      methods.begin(), methods.end(),
+      [](const MatchedMethod& a, const MatchedMethod& b) { return a.score(f1) > b.score(f1); });
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t a = 0; a < methods.size(); ++a) {
     for (std::size_t b = a + 1; b < methods.size(); ++b) pairs.emplace_back(a, b);
   }
   const BootstrapConfig bootstrap = config.bootstrapConfig();
   std::vector<std::vector<WorldOutcome>> outcomes;
-  for (const Matched& method : methods) outcomes.push_back(worldOutcomes(method));
+  for (const MatchedMethod& method : methods) outcomes.push_back(worldOutcomes(method));
   const auto above = rankProbabilities(outcomes, bootstrap);
 
   std::vector<PairedDifference> all;
   for (std::size_t k = 0; k <= kPairScores.size(); ++k) {
     std::vector<std::optional<PairedDifference>> of_metric(pairs.size());
     parallelFor(pairs.size(), [&](std::size_t i) {
-      const Matched& a = methods[pairs[i].first];
-      const Matched& b = methods[pairs[i].second];
+      const MatchedMethod& a = methods[pairs[i].first];
+      const MatchedMethod& b = methods[pairs[i].second];
       PairedDifference difference;
       difference.dataset = a.evaluation->dataset;
       difference.seed = a.evaluation->seed;
@@ -191,10 +133,10 @@ std::vector<PairedDifference> pairsAt(const std::vector<const MethodEvaluation*>
       std::optional<PairedComparison> comparison;
       if (k == 0) {
         difference.metric = "f1";
-        difference.value_a = a.f1;
-        difference.value_b = b.f1;
+        difference.value_a = a.score(f1).value_or(0);
+        difference.value_b = b.score(f1).value_or(0);
         difference.above = above[pairs[i].first][pairs[i].second];
-        comparison = compareF1(a, b, bootstrap);
+        comparison = compareDetection(a, b, f1, bootstrap);
       } else {
         const PairScoreColumn& column = *findPairScoreColumn(kPairScores[k - 1]);
         difference.metric = std::string(column.name) + "_all_gt";
@@ -325,7 +267,8 @@ std::vector<Stratum> strata(const std::vector<MethodEvaluation>& evaluations,
   for (const auto& dataset : byDataset(evaluations)) {
     for (const double threshold : config.thresholds_m) {
       for (const MethodEvaluation* evaluation : dataset) {
-        const Matched method = matched(*evaluation, threshold);
+        const MatchedMethod method =
+            matchedMethod(*evaluation, Threshold::tau(threshold), Matching::kOneToOne);
         for (std::size_t s = 0; s + 1 < kStrata.size(); ++s) {
           Stratum stratum{evaluation->dataset,
                           threshold,

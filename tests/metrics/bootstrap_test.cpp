@@ -64,7 +64,7 @@ TEST(Bootstrap, IsUndefinedWhereTheScoreIs) {
   EXPECT_FALSE(bootstrapMean({}, Averaging::kMicro, {}));
   EXPECT_FALSE(bootstrapMean({{1, {}}}, Averaging::kMacro, {}));
   EXPECT_FALSE(pairedBootstrap({}, Averaging::kMicro, {}));
-  EXPECT_FALSE(pairedBootstrapF1({}, Averaging::kMicro, {}));
+  EXPECT_FALSE(pairedBootstrapDetection({}, f1, Averaging::kMicro, {}));
 }
 
 TEST(Bootstrap, WidthOfAProportionIsTheBinomialOne) {
@@ -156,11 +156,60 @@ TEST(PairedBootstrapF1, IsTheDifferenceOfTheScores) {
   of_class.estimates_a = 50, of_class.matched_estimates_a = 45;
   of_class.estimates_b = 60, of_class.matched_estimates_b = 24;
   for (int i = 0; i < 50; ++i) of_class.found.push_back({i < 45 ? 1.0 : 0.0, i < 25 ? 1.0 : 0.0});
-  const PairedComparison comparison = *pairedBootstrapF1({{1, of_class}}, Averaging::kMicro, {});
+  const PairedComparison comparison =
+      *pairedBootstrapDetection({{1, of_class}}, f1, Averaging::kMicro, {});
   EXPECT_DOUBLE_EQ(comparison.difference, 0.9 - 2 * 0.4 * 0.5 / 0.9);
   EXPECT_LT(comparison.interval.low, comparison.difference);
   EXPECT_GT(comparison.interval.low, 0.2);
   EXPECT_LT(comparison.p_value, 0.01);
+}
+
+TEST(PairedBootstrapDetection, TakesAnyOfTheThreeScores) {
+  PairedDetection of_class;
+  of_class.estimates_a = 50, of_class.matched_estimates_a = 45;
+  of_class.estimates_b = 60, of_class.matched_estimates_b = 24;
+  for (int i = 0; i < 50; ++i) of_class.found.push_back({i < 45 ? 1.0 : 0.0, i < 25 ? 1.0 : 0.0});
+  const auto difference = [&](DetectionScore score) {
+    return pairedBootstrapDetection({{1, of_class}}, score, Averaging::kMicro, {})->difference;
+  };
+  EXPECT_DOUBLE_EQ(difference(precision), 45.0 / 50 - 24.0 / 60);
+  EXPECT_DOUBLE_EQ(difference(recall), 45.0 / 50 - 25.0 / 50);
+}
+
+TEST(BootstrapStatistic, OfAMeanIsAsWideAsItsStandardError) {
+  // 400 values 0 or 1, half each: the mean has a standard error of 0.5 / 20.
+  std::vector<double> values;
+  for (int i = 0; i < 400; ++i) values.push_back(i % 2);
+  const std::vector<std::size_t> strata = {values.size()};
+  const PairedComparison comparison =
+      *bootstrapStatistic(strata,
+                          [&](std::span<const std::size_t> drawn) -> std::optional<double> {
+                            double sum = 0;
+                            for (const std::size_t i : drawn) sum += values[i];
+                            return sum / static_cast<double>(drawn.size());
+                          },
+                          {});
+  EXPECT_DOUBLE_EQ(comparison.difference, 0.5);
+  EXPECT_NEAR(comparison.interval.low, 0.5 - 1.96 * 0.025, 0.004);
+  EXPECT_NEAR(comparison.interval.high, 0.5 + 1.96 * 0.025, 0.004);
+}
+
+TEST(BootstrapStatistic, DrawsEveryStratumAtItsOwnSize) {
+  const std::vector<std::size_t> strata = {3, 0, 5};
+  const auto comparison = bootstrapStatistic(
+      strata,
+      [](std::span<const std::size_t> drawn) -> std::optional<double> {
+        const auto first = std::count_if(drawn.begin(), drawn.end(), [](auto i) { return i < 3; });
+        return static_cast<double>(first) + (drawn.size() == 8 ? 0 : 100);
+      },
+      {});
+  EXPECT_EQ(comparison->interval, (Interval{3, 3}));
+}
+
+TEST(BootstrapStatistic, IsUndefinedWhereTheDataDoNotDefineIt) {
+  const std::vector<std::size_t> strata = {2};
+  EXPECT_FALSE(bootstrapStatistic(
+      strata, [](std::span<const std::size_t>) { return std::optional<double>(); }, {}));
 }
 
 }  // namespace
