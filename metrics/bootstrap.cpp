@@ -3,6 +3,7 @@
 #include "metrics/bootstrap.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -40,23 +41,43 @@ std::vector<double> resampled(const BootstrapConfig& config, const Resample& res
   return statistics;
 }
 
-/// How many of `count` draws hit one of `marked` among `count` objects.
-std::size_t redraw(std::size_t marked, std::size_t count, Random& random) {
-  std::size_t hits = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    hits += random.index(static_cast<std::uint32_t>(count)) < marked;
+/// How many of `count` draws with replacement hit one of `marked` among `count` objects: binomial,
+/// by inversion of its distribution function, one random number each instead of `count`.
+class HitCount {
+ public:
+  HitCount(std::size_t marked, std::size_t count) {
+    if (marked == 0 || marked == count) {
+      certain_ = marked;
+      return;
+    }
+    // Weights relative to that of the mode, from there to both sides: nothing over- or underflows
+    // where it matters.
+    const double odds = static_cast<double>(marked) / static_cast<double>(count - marked);
+    cumulative_.assign(count + 1, 0);
+    cumulative_[marked] = 1;
+    for (std::size_t k = marked; k < count; ++k) {
+      cumulative_[k + 1] =
+          cumulative_[k] * odds * static_cast<double>(count - k) / static_cast<double>(k + 1);
+    }
+    for (std::size_t k = marked; k > 0; --k) {
+      cumulative_[k - 1] =
+          cumulative_[k] / odds * static_cast<double>(k) / static_cast<double>(count - k + 1);
+    }
+    std::partial_sum(cumulative_.begin(), cumulative_.end(), cumulative_.begin());
   }
-  return hits;
-}
 
-CountsByClass redraw(const CountsByClass& counts, Random& random) {
-  CountsByClass redrawn = counts;
-  for (auto& [label, of_class] : redrawn) {
-    of_class.matched_estimates = redraw(of_class.matched_estimates, of_class.estimates, random);
-    of_class.found_truths = redraw(of_class.found_truths, of_class.truths, random);
+  std::size_t draw(Random& random) const {
+    if (cumulative_.empty()) return certain_;
+    const double target = random.uniform() * cumulative_.back();
+    const auto above = std::upper_bound(cumulative_.begin(), cumulative_.end(), target);
+    // Rounding can put the target at the very end.
+    return std::min(static_cast<std::size_t>(above - cumulative_.begin()), cumulative_.size() - 1);
   }
-  return redrawn;
-}
+
+ private:
+  std::size_t certain_ = 0;
+  std::vector<double> cumulative_;  ///< not normalised; empty: always certain_
+};
 
 /// Averages of sums over classes: micro pools sums and sizes, macro averages the quotients.
 class StratifiedMean {
@@ -123,16 +144,36 @@ PairedValue plainSum(const std::vector<PairedValue>& values) {
 
 DetectionIntervals bootstrapDetection(const CountsByClass& counts, Averaging averaging,
                                       const BootstrapConfig& config) {
-  // The three scores see the same resamples, because each begins the same streams of random
-  // numbers.
-  const auto interval = [&](DetectionScore detection_score) -> std::optional<Interval> {
-    if (!score(counts, detection_score, averaging).value) return std::nullopt;
-    std::vector<double> scores = resampled(config, [&](Random& random) {
-      return *score(redraw(counts, random), detection_score, averaging).value;
-    });
-    return percentileInterval(scores, config.confidence);
+  struct ClassDraws {
+    DetectionCounts* drawn;
+    HitCount matched;
+    HitCount found;
   };
-  return {interval(precision), interval(recall), interval(f1)};
+  CountsByClass drawn = counts;
+  std::vector<ClassDraws> classes;
+  for (auto& [label, of_class] : drawn) {
+    classes.push_back({&of_class, HitCount(of_class.matched_estimates, of_class.estimates),
+                       HitCount(of_class.found_truths, of_class.truths)});
+  }
+  // All three scores of the same draws. Whether one is defined depends on the sizes alone.
+  std::array<std::vector<double>, std::size(kDetectionScores)> values;
+  for (int i = 0; i < config.resamples; ++i) {
+    Random random(config.seed, static_cast<std::uint64_t>(i));
+    for (ClassDraws& of_class : classes) {
+      of_class.drawn->matched_estimates = of_class.matched.draw(random);
+      of_class.drawn->found_truths = of_class.found.draw(random);
+    }
+    for (std::size_t s = 0; s < values.size(); ++s) {
+      const auto value = score(drawn, kDetectionScores[s].value, averaging).value;
+      if (value) values[s].push_back(*value);
+    }
+  }
+  DetectionIntervals intervals;
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    if (values[s].empty()) continue;
+    intervals.*kDetectionScores[s].interval = percentileInterval(values[s], config.confidence);
+  }
+  return intervals;
 }
 
 std::optional<Interval> bootstrapMean(const ValuesByClass& values, Averaging averaging,
@@ -176,31 +217,39 @@ std::optional<PairedComparison> pairedBootstrap(const PairedValuesByClass& value
 std::optional<PairedComparison> pairedBootstrapDetection(
     const std::map<Label, PairedDetection>& classes, DetectionScore detection_score,
     Averaging averaging, const BootstrapConfig& config) {
+  struct Draws {
+    HitCount matched_a;
+    HitCount matched_b;
+  };
   std::map<Label, PairedDetection> ordered = classes;
-  for (auto& [label, of_class] : ordered) of_class.found = sorted(std::move(of_class.found));
+  std::map<Label, Draws> draws;
+  for (auto& [label, of_class] : ordered) {
+    of_class.found = sorted(std::move(of_class.found));
+    draws.emplace(label, Draws{HitCount(of_class.matched_estimates_a, of_class.estimates_a),
+                               HitCount(of_class.matched_estimates_b, of_class.estimates_b)});
+  }
 
-  const auto difference = [&](const auto& found_sum, const auto& matched) {
+  // Without random numbers: of the data themselves.
+  const auto difference = [&](Random* random) {
     CountsByClass counts_a, counts_b;
     for (const auto& [label, c] : ordered) {
-      const PairedValue found = found_sum(c.found);
-      counts_a[label] = {c.estimates_a, matched(c.matched_estimates_a, c.estimates_a),
+      const PairedValue found = random ? redrawSum(c.found, *random) : plainSum(c.found);
+      const Draws& of_class = draws.at(label);
+      counts_a[label] = {c.estimates_a,
+                         random ? of_class.matched_a.draw(*random) : c.matched_estimates_a,
                          c.found.size(), static_cast<std::size_t>(found.a)};
-      counts_b[label] = {c.estimates_b, matched(c.matched_estimates_b, c.estimates_b),
+      counts_b[label] = {c.estimates_b,
+                         random ? of_class.matched_b.draw(*random) : c.matched_estimates_b,
                          c.found.size(), static_cast<std::size_t>(found.b)};
     }
     const std::optional<double> score_a = score(counts_a, detection_score, averaging).value;
     const std::optional<double> score_b = score(counts_b, detection_score, averaging).value;
     return score_a && score_b ? std::optional<double>(*score_a - *score_b) : std::nullopt;
   };
-  const std::optional<double> observed =
-      difference(plainSum, [](std::size_t marked, std::size_t) { return marked; });
+  const std::optional<double> observed = difference(nullptr);
   if (!observed) return std::nullopt;
-  std::vector<double> differences = resampled(config, [&](Random& random) {
-    const auto drawn = difference(
-        [&](const auto& found) { return redrawSum(found, random); },
-        [&](std::size_t marked, std::size_t count) { return redraw(marked, count, random); });
-    return drawn.value_or(0);
-  });
+  std::vector<double> differences =
+      resampled(config, [&](Random& random) { return difference(&random).value_or(0); });
   return compare(*observed, std::move(differences), config);
 }
 

@@ -75,6 +75,16 @@ TEST(Bootstrap, WidthOfAProportionIsTheBinomialOne) {
               0.1 * 4 * deviation);
 }
 
+TEST(Bootstrap, LimitsOfAProportionAreQuantilesOfTheBinomial) {
+  // Of Binomial(100, 0.9): P(X <= 83) = 0.0206, P(X <= 84) = 0.0399; P(X <= 94) = 0.9424,
+  // P(X <= 95) = 0.9763.
+  const CountsByClass counts = {{1, {100, 90, 0, 0}}};
+  const Interval interval =
+      *bootstrapDetection(counts, Averaging::kMicro, {20000, 0.95, 0}).precision;
+  EXPECT_DOUBLE_EQ(interval.low, 0.84);
+  EXPECT_DOUBLE_EQ(interval.high, 0.95);
+}
+
 TEST(Bootstrap, CoversTheTruthAboutAsOftenAsItSays) {
   BootstrapConfig config;
   config.resamples = 300;

@@ -72,7 +72,7 @@ TEST_F(ReadClaims, FaultsNameFileLineAndKey) {
               HasSubstr("expected either better_than or no_worse_than"));
   EXPECT_THAT(
       fault("claims:\n  - {name: one, says: x, needs: [{metric: f1, method: m, beter_than: [n]}]}"),
-      HasSubstr("beter_than: unknown key, did you mean better_than?"));
+      HasSubstr("beter_than: unknown key, did you mean claims.0.needs.0.better_than?"));
   EXPECT_THAT(fault("claims:\n  - {name: one, says: x, needs: [{type: guess, method: m}]}\n"),
               HasSubstr("'guess' is unknown, expected one of: score, kappa, trend, real_time"));
   EXPECT_THAT(fault("claims:\n  - {name: one, says: x, needs: []}\n"), HasSubstr("at least one"));

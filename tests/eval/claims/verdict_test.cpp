@@ -153,17 +153,19 @@ TEST(Judge, AtAThresholdWithoutScoresNothingIsSaid) {
 }
 
 TEST(Judge, OverKappaEveryThresholdCounts) {
-  // Beside the centre by 2 cm: found at every kappa looked at but the smallest for the smallest
-  // objects. Inventions cost precision everywhere.
-  const Evidence evidence =
-      evidenceOf({finder("ours", 0, 0.02), finder("inventive", 0, 0.02, 30), finder("exact", 0)});
+  // 5 mm beside the centre is inside the gate of every object at the smallest kappa, 2 cm are not.
+  const Evidence evidence = evidenceOf(
+      {finder("ours", 0, 0.005), finder("inventive", 0, 0.005, 30), finder("coarse", 0, 0.02)});
   EXPECT_EQ(verdictOf(need(Predicate::Type::kKappa, "precision", {"inventive"}), evidence),
             ClaimVerdict::kHolds);
   EXPECT_EQ(verdictOf(need(Predicate::Type::kKappa, "recall", {"inventive"}), evidence),
-            ClaimVerdict::kFails);  // nowhere better
-  Predicate no_worse = need(Predicate::Type::kKappa, "recall", {"exact"});
+            ClaimVerdict::kFails);  // the same everywhere
+  Predicate no_worse = need(Predicate::Type::kKappa, "recall", {"ours"});
+  no_worse.method = "coarse";
   no_worse.strictly = false;
-  EXPECT_EQ(verdictOf(no_worse, evidence), ClaimVerdict::kFails);  // at small kappa
+  const JudgedClaim judged = judgeOne({no_worse}, {evidence});
+  EXPECT_EQ(judged.verdict, ClaimVerdict::kFails);
+  EXPECT_THAT(judged.findings.front().what, HasSubstr("least at kappa 0.025"));
 }
 
 TEST(Judge, ATrendIsASlopeOverTheDeviationFromTheClass) {
