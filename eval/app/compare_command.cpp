@@ -65,7 +65,7 @@ Command addCompare(CLI::App& app) {
   app.add_option("--junit", options->junit, "file for JUnit XML, for CI")->type_name("FILE");
   app.footer(
       "Methods and worlds that both results have, matched one_to_one; quality by paired bootstrap\n"
-      "over objects, time per frame world by world, on the same machine only.");
+      "over objects, time per frame by paired bootstrap over frames, on the same machine only.");
   return [options] { return compare(*options); };
 }
 

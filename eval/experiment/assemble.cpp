@@ -25,6 +25,7 @@ namespace {
 /// What the store has of one method on one world.
 struct Gathered {
   std::vector<TimingRow> timing;
+  std::vector<FrameTimes> frame_times;
   double frame_period_s = 0;
   std::optional<MethodEvaluation> evaluation;
   std::string failure;  ///< empty: none
@@ -41,6 +42,16 @@ std::vector<TimingRow> timingOf(const fs::path& run, const std::string& dataset,
     row.method = method;
   }
   return rows;
+}
+
+std::vector<FrameTimes> frameTimesOf(const fs::path& run, const std::string& dataset,
+                                     const std::string& method) {
+  std::vector<FrameTimes> times = readFrameTimesCsv(run / kFrameTimesFile);
+  for (FrameTimes& of_run : times) {
+    of_run.dataset = dataset;
+    of_run.method = method;
+  }
+  return times;
 }
 
 /// Whether the decision is the one that was made at the end of mapping.
@@ -60,6 +71,7 @@ Gathered gather(const ExperimentConfig& experiment, const MethodConfig& method,
   if (!store.isDone(cell.run)) return fail(cell.run);
   const fs::path run = store.runFolder(cell.run);
   gathered.timing = timingOf(run, dataset, method.name);
+  gathered.frame_times = frameTimesOf(run, dataset, method.name);
   gathered.frame_period_s = readRunRecord(run / kRunRecordFile).frame_period_s;
   if (!store.isDone(cell.score)) return fail(cell.score);
   MethodEvaluation evaluation = readEvaluation(store.scoreFile(cell.score));
@@ -120,6 +132,8 @@ class Assembly {
     if (!gathered.timing.empty()) {
       ++outcome_.predictions;
       result.timing.insert(result.timing.end(), gathered.timing.begin(), gathered.timing.end());
+      std::move(gathered.frame_times.begin(), gathered.frame_times.end(),
+                std::back_inserter(result.frame_times));
       outcome_.frame_period_s[dataset] = gathered.frame_period_s;
     }
     if (!gathered.failure.empty()) {
@@ -219,6 +233,8 @@ void linkPredictions(const ExperimentConfig& experiment, const Plan::PlannedExpe
           fillPredictionFolder(out, prediction);
         }
         writeFileAtomic(out / kTimingFile, timingCsv(timingOf(run, dataset.name, method.name)));
+        writeFileAtomic(out / kFrameTimesFile,
+                        frameTimesCsv(frameTimesOf(run, dataset.name, method.name)));
         writeFileAtomic(out / "config.yaml", method.resolved_config);
         linkFiles(run, out);
       }

@@ -27,6 +27,19 @@ struct Worker {
     }
     return all;
   }
+
+  /// From the end of the warm-up.
+  std::vector<double> frameTimes() const {
+    std::vector<double> wall_ms;
+    for (const StageTimes::Stage& stage : whole.stages()) {
+      if (stage.name != "frame") continue;
+      const std::size_t first = stage.samples.size() > kWarmUpFrames ? kWarmUpFrames : 0;
+      for (std::size_t i = first; i < stage.samples.size(); ++i) {
+        wall_ms.push_back(stage.samples[i].wall_ms);
+      }
+    }
+    return wall_ms;
+  }
 };
 
 /// Runs a step of a method; on an exception the method is out.
@@ -97,8 +110,10 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
         prediction.graph.label_space = dataset.labelSpace();
       }
       runs[m].prediction = std::move(prediction);
-      runs[m].timing = timingRows(dataset.name(), std::to_string(dataset.seed()), methods[m].name,
-                                  worker.times(), worker.warm_up);
+      const std::string seed = std::to_string(dataset.seed());
+      runs[m].timing =
+          timingRows(dataset.name(), seed, methods[m].name, worker.times(), worker.warm_up);
+      runs[m].frame_times = {dataset.name(), seed, methods[m].name, worker.frameTimes()};
     });
     workers[m].system.reset();  // its memory, before the next one finishes
   }
@@ -109,6 +124,7 @@ void fillRunFolder(const std::filesystem::path& folder, const MethodRun& run) {
   assert(run.prediction);
   fillPredictionFolder(folder, *run.prediction);
   writeFileAtomic(folder / kTimingFile, timingCsv(run.timing));
+  writeFileAtomic(folder / kFrameTimesFile, frameTimesCsv({run.frame_times}));
   writeFileAtomic(folder / "config.yaml", run.config);
 }
 

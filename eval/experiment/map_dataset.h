@@ -11,6 +11,7 @@
 
 #include "core/graph/scene_graph.h"
 #include "eval/datasets/dataset.h"
+#include "eval/experiment/frame_times.h"
 #include "eval/experiment/method_table.h"
 #include "eval/experiment/timing.h"
 
@@ -22,6 +23,7 @@ struct MethodRun {
   std::optional<Prediction> prediction;  ///< nullopt: the method failed
   std::string failure;                   ///< its message; empty if it did not
   std::vector<TimingRow> timing;
+  FrameTimes frame_times;
   std::string config;  ///< resolved YAML
 };
 
@@ -43,8 +45,9 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
 
 inline constexpr const char* kTimingFile = "timing.csv";
 
-/// Writes scene_graph.json, prediction.json, candidates if there are any, timing.csv and
-/// config.yaml into `folder`: a prediction as `evaluate` reads it. The run must not have failed.
+/// Writes scene_graph.json, prediction.json, candidates if there are any, timing.csv,
+/// frame_times.csv and config.yaml into `folder`: a prediction as `evaluate` reads it. The run must
+/// not have failed.
 void fillRunFolder(const std::filesystem::path& folder, const MethodRun& run);
 
 }  // namespace hydrabench

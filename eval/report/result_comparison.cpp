@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,6 +66,66 @@ Verdict judge(double low, double high, double floor, int better) {
   if (high < -floor) return Verdict::kWorse;
   return low < -floor ? Verdict::kInconclusive : Verdict::kSame;
 }
+
+/// Times of both results over stretches of frames, a stratum per world.
+class Stretches {
+ public:
+  void addWorld(const std::vector<double>& before, const std::vector<double>& after) {
+    constexpr std::size_t kFrames = 25;
+    const std::size_t first = sums_.size();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (i % kFrames == 0) sums_.emplace_back();
+      sums_.back().a += before[i];
+      sums_.back().b += after[i];
+    }
+    sizes_.push_back(sums_.size() - first);
+    frames_ += before.size();
+  }
+
+  /// Nothing where there are no frames.
+  std::optional<Line> compared(const NoiseFloor& floor) const {
+    const auto sum = [&](std::span<const std::size_t> drawn) {
+      PairedValue total;
+      for (const std::size_t i : drawn) {
+        total.a += sums_[i].a;
+        total.b += sums_[i].b;
+      }
+      return total;
+    };
+    std::vector<std::size_t> all(sums_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const PairedValue total = sum(all);
+    if (total.a <= 0) return std::nullopt;
+    BootstrapConfig config;
+    config.resamples = floor.resamples;
+    const auto change = bootstrapStatistic(
+        sizes_,
+        [&](std::span<const std::size_t> drawn) -> std::optional<double> {
+          const PairedValue of_draw = sum(drawn);
+          if (of_draw.a <= 0) return std::nullopt;
+          return of_draw.b / of_draw.a - 1;
+        },
+        config);
+    Line line;
+    line.metric = "time per frame [ms]";
+    line.before = total.a / static_cast<double>(frames_);
+    line.after = total.b / static_cast<double>(frames_);
+    line.low = change->interval.low;
+    line.high = change->interval.high;
+    // Two runs never take the same time: a little faster is the same, as a little slower is.
+    line.verdict = line.low > floor.time_share     ? Verdict::kWorse
+                   : line.high < -floor.time_share ? Verdict::kBetter
+                   : line.low >= -floor.time_share && line.high <= floor.time_share
+                       ? Verdict::kSame
+                       : Verdict::kInconclusive;
+    return line;
+  }
+
+ private:
+  std::vector<PairedValue> sums_;  ///< a: before, b: after
+  std::vector<std::size_t> sizes_;
+  std::size_t frames_ = 0;
+};
 
 class Comparer {
  public:
@@ -157,43 +219,42 @@ class Comparer {
     }
   }
 
-  /// Mean time per frame, by world.
+  /// Time per frame: the same frames in both results, drawn in stretches, because what slows a
+  /// machine down lasts longer than a frame.
   void compareTimes() {
-    const fs::path before_file = before_path_ / "timing.csv";
-    const fs::path after_file = after_path_ / "timing.csv";
+    const fs::path before_file = before_path_ / kFrameTimesFile;
+    const fs::path after_file = after_path_ / kFrameTimesFile;
     if (!fs::exists(before_file) || !fs::exists(after_file)) {
-      return note("time: not compared, not both results were timed");
+      return note("time: not compared, not both results were timed frame by frame");
     }
     if (machine(before_path_) != machine(after_path_)) {
       return note(fmt::format("time: not compared, other machines ({}; {})", machine(before_path_),
                               machine(after_path_)));
     }
     using Key = std::pair<std::string, std::string>;
-    std::map<Key, std::map<std::string, double>> before;
-    for (const TimingRow& row : readTimingCsv(before_file)) {
-      if (row.stage == "frame") before[{row.dataset, row.method}][row.seed] = row.mean_ms;
+    std::map<Key, std::map<std::string, std::vector<double>>> before;
+    for (FrameTimes& times : readFrameTimesCsv(before_file)) {
+      before[{times.dataset, times.method}][times.seed] = std::move(times.wall_ms);
     }
-    std::map<Key, std::vector<std::pair<double, double>>> pairs;
-    for (const TimingRow& row : readTimingCsv(after_file)) {
-      if (row.stage != "frame") continue;
-      const auto known = before.find({row.dataset, row.method});
-      if (known == before.end() || !known->second.contains(row.seed)) continue;
-      pairs[{row.dataset, row.method}].emplace_back(known->second.at(row.seed), row.mean_ms);
-    }
-    for (const auto& [key, worlds] : pairs) {
-      Line line{key.first, key.second, "time per frame [ms]", 0, 0, 1e300, -1e300};
-      for (const auto& [a, b] : worlds) {
-        line.before += a / static_cast<double>(worlds.size());
-        line.after += b / static_cast<double>(worlds.size());
-        line.low = std::min(line.low, b / a - 1);
-        line.high = std::max(line.high, b / a - 1);
+    std::map<Key, Stretches> methods;
+    for (const FrameTimes& times : readFrameTimesCsv(after_file)) {
+      const auto known = before.find({times.dataset, times.method});
+      if (known == before.end() || !known->second.contains(times.seed)) continue;
+      const std::vector<double>& earlier = known->second.at(times.seed);
+      if (earlier.size() != times.wall_ms.size()) {
+        note(fmt::format("time: {}, seed {}, {}: not compared, {} frames before and {} after",
+                         times.dataset, times.seed, methodLabel(times.method), earlier.size(),
+                         times.wall_ms.size()));
+        continue;
       }
-      // Not an interval: the least and the most of all worlds. Slower everywhere is slower.
-      line.verdict = line.low > floor_.time_share     ? Verdict::kWorse
-                     : line.high < -floor_.time_share ? Verdict::kBetter
-                     : line.high > floor_.time_share  ? Verdict::kInconclusive
-                                                      : Verdict::kSame;
-      comparison_.lines.push_back(std::move(line));
+      methods[{times.dataset, times.method}].addWorld(earlier, times.wall_ms);
+    }
+    for (const auto& [key, stretches] : methods) {
+      if (auto line = stretches.compared(floor_)) {
+        line->dataset = key.first;
+        line->method = key.second;
+        comparison_.lines.push_back(std::move(*line));
+      }
     }
   }
 
@@ -273,7 +334,7 @@ std::string comparisonMarkdown(const ResultComparison& comparison) {
   for (const Line& line : comparison.lines) {
     const bool time = line.metric.starts_with("time");
     const std::string difference =
-        time ? fmt::format("{:+.0f} to {:+.0f} % by world", 100 * line.low, 100 * line.high)
+        time ? fmt::format("{:+.1f} to {:+.1f} %", 100 * line.low, 100 * line.high)
              : fmt::format("{:+.4f} to {:+.4f}", line.low, line.high);
     text += fmt::format("| {} | {} | {} | {:.4g} | {:.4g} | {} | {} |\n", line.dataset,
                         methodLabel(line.method), line.metric, line.before, line.after, difference,

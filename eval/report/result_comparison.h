@@ -10,7 +10,7 @@ namespace hydrabench {
 
 /// Is a result as good as an earlier one? Every method that both have is compared on the worlds
 /// that both have: F1 and the means over all ground truth by paired bootstrap over objects, time
-/// per frame world by world.
+/// per frame by paired bootstrap over stretches of 25 frames.
 struct ResultComparison {
   enum class Verdict {
     kSame,          ///< sure to be no worse than the noise floor allows, and not sure to be better
@@ -40,7 +40,7 @@ const char* name(ResultComparison::Verdict verdict);
 struct NoiseFloor {
   double score = 0.005;       ///< F1 and IoU
   double distance_m = 0.001;  ///< chamfer_l1
-  double time_share = 0.1;    ///< of the time per frame
+  double time_share = 0.04;   ///< of the time per frame, in both directions
   bool compare_times = true;  ///< times of different machines never are
   int resamples = 2000;
 };

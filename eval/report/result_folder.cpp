@@ -85,6 +85,9 @@ std::vector<std::string> writeResult(AtomicFolder& folder, const Result& result)
     writeTable(out, table);
   }
   if (!result.timing.empty()) writeFileAtomic(out / "timing.csv", timingCsv(result.timing));
+  if (!result.frame_times.empty()) {
+    writeFileAtomic(out / kFrameTimesFile, frameTimesCsv(result.frame_times));
+  }
   if (!result.notes.empty()) {
     writeFileAtomic(out / kNotesFile, fmt::format("{}\n", fmt::join(result.notes, "\n")));
   }

@@ -7,6 +7,7 @@
 
 #include "core/types/error.h"
 #include "eval/evaluation/method_scores.h"
+#include "eval/experiment/frame_times.h"
 #include "eval/report/objects_csv.h"
 #include "tests/support/temporary_folder.h"
 
@@ -56,8 +57,12 @@ MethodEvaluation finder(std::size_t found, double b_iou, const std::string& seed
   return evaluation;
 }
 
+constexpr const char* kTime = "time per frame [ms]";
+
 class CompareResults : public ::testing::Test {
  protected:
+  double other_work_ = 1;
+
   void write(const std::string& name, const std::vector<MethodEvaluation>& evaluations,
              double frame_ms = 10, const std::string& cpu = "some cpu") {
     std::vector<ScoreRow> rows;
@@ -66,10 +71,13 @@ class CompareResults : public ::testing::Test {
     }
     writeText(folder_ / name / "scores.csv", scoresCsv(rows));
     writeText(folder_ / name / "objects.csv", objectsCsv(evaluations));
-    writeText(folder_ / name / "timing.csv",
-              "dataset,seed,method,stage,n,mean_ms,p50_ms,p90_ms,p99_ms,max_ms,cpu_s,peak_rss_mib\n"
-              "office,1,hydra,frame,100," +
-                  std::to_string(frame_ms) + ",1,1,1,1,1,1\n");
+    // Frames take turns in being quick and slow; every tenth stretch of 25 hits other work.
+    FrameTimes times{"office", "1", "hydra", {}};
+    for (int i = 0; i < 500; ++i) {
+      const double other_work = i / 25 % 10 == 0 ? other_work_ : 1;
+      times.wall_ms.push_back(frame_ms * (1 + i % 3) / 2 * other_work);
+    }
+    writeText(folder_ / name / "frame_times.csv", frameTimesCsv({times}));
     writeText(folder_ / name / "provenance.json", "{\"cpu\": \"" + cpu + "\", \"cores\": 2}");
   }
   ResultComparison compare() { return compareResults(folder_ / "a", folder_ / "b", {}); }
@@ -145,10 +153,37 @@ TEST_F(CompareResults, LessThanTheNoiseFloorIsNoDifference) {
 TEST_F(CompareResults, TimesAreComparedOnTheSameMachineOnly) {
   write("a", {finder(30, 0.8)}, 10);
   write("b", {finder(30, 0.8)}, 13);
-  EXPECT_EQ(line(compare(), "time per frame [ms]").verdict, Verdict::kWorse);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kWorse);
   write("b", {finder(30, 0.8)}, 13, "another cpu");
   EXPECT_THAT(compare().lines, SizeIs(4));
   EXPECT_THAT(compare().notes, ::testing::ElementsAre(HasSubstr("other machines")));
+}
+
+TEST_F(CompareResults, FivePerCentSlowerIsSeenAndOnePerCentIsNot) {
+  write("a", {finder(30, 0.8)}, 10);
+  write("b", {finder(30, 0.8)}, 10.5);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kWorse);
+  EXPECT_NEAR(line(compare(), kTime).after / line(compare(), kTime).before, 1.05, 1e-4);
+  write("b", {finder(30, 0.8)}, 10.1);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kSame);
+  write("b", {finder(30, 0.8)}, 9.9);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kSame);
+  write("b", {finder(30, 0.8)}, 9);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kBetter);
+}
+
+TEST_F(CompareResults, TimesOfADisturbedMachineAreInconclusive) {
+  write("a", {finder(30, 0.8)}, 10);
+  other_work_ = 2;
+  write("b", {finder(30, 0.8)}, 10);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
+}
+
+TEST_F(CompareResults, OtherFramesAreNotCompared) {
+  write("a", {finder(30, 0.8)}, 10);
+  write("b", {finder(30, 0.8)}, 10);
+  writeText(folder_ / "b/frame_times.csv", frameTimesCsv({{"office", "1", "hydra", {10, 10}}}));
+  EXPECT_THAT(compare().notes, ::testing::ElementsAre(HasSubstr("500 frames before and 2 after")));
 }
 
 TEST_F(CompareResults, WorldsOfADatasetCountTogether) {
