@@ -132,12 +132,18 @@ std::string renderLatex(const ComparisonTable& table) {
       "\\definecolor{hbfirst}{rgb}{0.753, 0.898, 0.804}\n"
       "\\definecolor{hbsecond}{rgb}{0.894, 0.933, 0.745}\n"
       "\\definecolor{hbthird}{rgb}{0.996, 0.972, 0.780}\n"
-      "\\begin{table}[t]\n  \\centering\n";
+      "% Intervals and counts: --format csv.\n"
+      "\\begin{table*}[t]\n  \\centering\n  \\scriptsize\n  \\setlength{\\tabcolsep}{4pt}\n";
   text += fmt::format("  \\caption{{{}. {}}}\n", escapedLatex(table.title),
                       "Best three values of each column are shaded");
+  // What is compared; the rest would not fit on a page.
+  std::vector<std::size_t> printed;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].ranked) printed.push_back(c);
+  }
   text += fmt::format("  \\begin{{tabular}}{{l|l{}}}\n    \\toprule\n    & Method",
-                      std::string(table.columns.size(), 'c'));
-  for (const TableColumn& column : table.columns) text += " & " + column.latex_title;
+                      std::string(printed.size(), 'c'));
+  for (const std::size_t c : printed) text += " & " + table.columns[c].latex_title;
   text += " \\\\\n";
   for (const TableBlock& block : table.blocks) {
     text += fmt::format(
@@ -148,7 +154,7 @@ std::string renderLatex(const ComparisonTable& table) {
         hasSeveralDatasets(table) ? "\\\\" + escapedLatex(block.dataset) : "");
     for (const TableRow& row : block.rows) {
       text += "    & " + escapedLatex(row.label);
-      for (std::size_t c = 0; c < row.cells.size(); ++c) {
+      for (const std::size_t c : printed) {
         const TableCell& cell = row.cells[c];
         const std::string value = valueText(cell, table.columns[c]);
         text += fmt::format(" & {}{}", kShades[cell.rank],
@@ -157,7 +163,7 @@ std::string renderLatex(const ComparisonTable& table) {
       text += " \\\\\n";
     }
   }
-  text += "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+  text += "    \\bottomrule\n  \\end{tabular}\n\\end{table*}\n";
   for (const std::string& note : table.notes) text += "% " + note + "\n";
   return text;
 }
