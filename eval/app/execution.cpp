@@ -152,6 +152,7 @@ void carryOut(const Plan& plan, const Execution& execution) {
       slurm ? 1 : std::clamp<std::size_t>(planned / execution.jobs, 1, kRunsAtOnce);
   const std::vector<Job> jobs = missingJobs(plan, store, at_once);
   if (jobs.empty()) return;
+  store.requireWritable();
   const std::size_t missing = numRuns(jobs);
   if (missing < planned) {
     fmt::print(stderr, "{} of {} runs are in {}\n", planned - missing, planned,

@@ -23,12 +23,13 @@ struct Options {
   std::vector<std::string> overrides;
   std::filesystem::path store;
   bool all = false;
+  bool yes = false;
 };
 
 constexpr std::array<const char*, 4> kStates = {"done", "running", "failed", "missing"};
 
 int status(const Options& options) {
-  const Study study = readStudy(options.study, options.overrides);
+  const Study study = readStudy(options.study, options.overrides, options.yes ? 0 : kManyRuns);
   const Plan plan = planOf(study.experiments());
   const UnitStore store(storeFolder(options.store));
   std::array<std::size_t, 4> runs{};
@@ -75,6 +76,8 @@ Command addStatus(CLI::App& app) {
       ->type_name("STUDY.yaml");
   addOverrides(app, options->overrides, "methods.hydra.objects.cluster_tolerance_m=0.2");
   addStore(app, options->store);
+  app.add_flag("--yes", options->yes,
+               fmt::format("do not ask back where it is more than {} runs", kManyRuns));
   app.add_flag("--all", options->all, "name every unit, not only those that failed");
   app.footer("With the same --set as the command it is about. Exit code 4: something failed.");
   return [options] { return status(*options); };

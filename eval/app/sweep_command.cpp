@@ -31,6 +31,7 @@ struct Options {
   std::vector<std::string> overrides;
   bool replace = false;
   Execution execution;
+  bool yes = false;
 };
 
 void draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name) {
@@ -89,7 +90,7 @@ void writeTauO(const Study& study, const Plan& plan, const UnitStore& store,
 }
 
 int sweep(const Options& options) {
-  const Study study = readStudy(options.sweep, options.overrides);
+  const Study study = readStudy(options.sweep, options.overrides, options.yes ? 0 : kManyRuns);
   if (study.axes.empty() && study.tau_o_method.empty()) {
     throw InputError(
         fmt::format("{}: an experiment, expected a sweep with axes; 'hydrabench run' "
@@ -145,6 +146,8 @@ Command addSweep(CLI::App& app) {
       ->required()
       ->type_name("DIR");
   app.add_flag("--replace", options->replace, "replace the folder if it exists");
+  app.add_flag("--yes", options->yes,
+               fmt::format("do not ask back where it is more than {} runs", kManyRuns));
   addOverrides(app, options->overrides, "method=hydra_plus_plus_refined");
   addExecution(app, options->execution);
   app.footer(

@@ -69,6 +69,30 @@ std::vector<std::vector<std::string>> grid(const std::vector<SweepAxis>& axes) {
   return points;
 }
 
+/// Looks at the first point only: the grid may be too large to lay out.
+template <typename ExperimentAt>
+void requireFew(const std::vector<SweepAxis>& axes, const ExperimentAt& experiment_at,
+                std::size_t max_runs, const std::filesystem::path& place) {
+  double points = 1;
+  std::string product;
+  std::vector<std::string> first;
+  for (const SweepAxis& axis : axes) {
+    points *= static_cast<double>(axis.values.size());
+    product += fmt::format("{}{}", product.empty() ? "" : " x ", axis.values.size());
+    first.push_back(axis.values.front());
+  }
+  const ExperimentConfig experiment = experiment_at(first);
+  std::size_t worlds = 0;
+  for (const ExperimentConfig::DatasetEntry& entry : experiment.datasets) {
+    worlds += entry.numWorlds();
+  }
+  const double per_point = static_cast<double>(experiment.methods.size() * worlds);
+  if (points * per_point <= static_cast<double>(max_runs)) return;
+  throw InputError(
+      fmt::format("{}: axes: {} points of {} runs each are {} runs; expected at most {}, or --yes",
+                  place.string(), product, per_point, points * per_point, max_runs));
+}
+
 Study plainExperiment(const std::filesystem::path& config,
                       const std::vector<std::string>& overrides) {
   Study study;
@@ -105,7 +129,8 @@ std::vector<ExperimentConfig> Study::experiments() const {
   return experiments;
 }
 
-Study readStudy(const std::filesystem::path& config, const std::vector<std::string>& overrides) {
+Study readStudy(const std::filesystem::path& config, const std::vector<std::string>& overrides,
+                std::size_t max_runs) {
   ConfigDocument document = ConfigDocument::fromFile(config);
   if (!ConfigReader(document).has("experiment")) return plainExperiment(config, overrides);
 
@@ -135,14 +160,18 @@ Study readStudy(const std::filesystem::path& config, const std::vector<std::stri
   }
   reader.finish();
   study.resolved_config = reader.resolved();
-  for (const std::vector<std::string>& values : grid(study.axes)) {
+  const auto experiment_at = [&](const std::vector<std::string>& values) {
     std::vector<std::string> assignments = for_experiment;
     for (std::size_t a = 0; a < study.axes.size(); ++a) {
       for (const std::string& assignment : study.axes[a].set) {
         assignments.push_back(filledIn(assignment, values[a]));
       }
     }
-    study.points.push_back({values, readExperiment(experiment, assignments)});
+    return readExperiment(experiment, assignments);
+  };
+  if (max_runs > 0) requireFew(study.axes, experiment_at, max_runs, config);
+  for (const std::vector<std::string>& values : grid(study.axes)) {
+    study.points.push_back({values, experiment_at(values)});
   }
   if (!study.tau_o_method.empty()) {
     keepOnly(study.tau_o_method, study.points.front().experiment, config);

@@ -44,8 +44,13 @@ struct Study {
   std::vector<ExperimentConfig> experiments() const;  ///< of the points
 };
 
+/// More runs than anybody starts without meaning to.
+inline constexpr std::size_t kManyRuns = 10000;
+
 /// @param overrides  as for readExperiment(), for every point; and the sweep's own keys
-Study readStudy(const std::filesystem::path& config,
-                const std::vector<std::string>& overrides = {});
+/// @param max_runs   a grid of more runs (points x methods x worlds) is refused before it is laid
+///                   out; 0: no limit
+Study readStudy(const std::filesystem::path& config, const std::vector<std::string>& overrides = {},
+                std::size_t max_runs = kManyRuns);
 
 }  // namespace hydrabench

@@ -62,6 +62,8 @@ UnitStore::Lock UnitStore::lock(const std::string& hash) const {
   return Lock(lockFile(hash));
 }
 
+void UnitStore::requireWritable() const { writeFileAtomic(root_ / "locks/.writable", ""); }
+
 void UnitStore::recordFailure(const std::string& hash, const std::string& message,
                               const Job& job) const {
   const nlohmann::ordered_json json = {{"message", message},

@@ -32,6 +32,8 @@ class UnitStore {
   /// Of a run or of a score.
   State state(const std::string& hash) const;
   bool isDone(const std::string& hash) const;
+  /// Throws OutputError where nothing can be written: to be known before the work.
+  void requireWritable() const;
 
   /// Held until destroyed or until the process ends, however it ends.
   class Lock {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,6 +46,27 @@ TEST_F(ReadStudy, AnExperimentIsAStudyOfOnePoint) {
   EXPECT_EQ(study.name, "base");
   ASSERT_THAT(study.points, SizeIs(1));
   EXPECT_THAT(study.points[0].values, SizeIs(0));
+}
+
+TEST_F(ReadStudy, AVeryLargeGridIsRefusedBeforeItIsLaidOut) {
+  std::string yaml = "axes:\n";
+  std::string values = "0";
+  for (int i = 1; i < 100; ++i) values += ", " + std::to_string(i);
+  for (const char* axis : {"a", "b", "c"}) {
+    yaml += fmt::format("  - {{name: {}, values: [{}], set: ['evaluation.seed={{}}']}}\n", axis,
+                        values);
+  }
+  expectFault(yaml,
+              "sweep.yaml: axes: 100 x 100 x 100 points of 4 runs each are 4000000 runs; expected "
+              "at most 10000, or --yes");
+}
+
+TEST_F(ReadStudy, TheLimitIsOnRunsAndCanBeLifted) {
+  const std::string yaml = "axes:\n  - {name: a, values: [1, 2, 3], set: ['evaluation.seed={}']}\n";
+  writeText(folder_ / "sweep.yaml", "experiment: base.yaml\n" + yaml);
+  EXPECT_THAT(readStudy(folder_ / "sweep.yaml", {}, 12).points, SizeIs(3));
+  EXPECT_THROW(readStudy(folder_ / "sweep.yaml", {}, 11), InputError);
+  EXPECT_THAT(readStudy(folder_ / "sweep.yaml", {}, 0).points, SizeIs(3));
 }
 
 TEST_F(ReadStudy, AGridHasEveryCombinationTheLastAxisFirst) {
