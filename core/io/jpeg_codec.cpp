@@ -4,6 +4,7 @@
 
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs FILE and size_t
+#include <cstdlib>
 
 #include <jpeglib.h>
 // After jpeglib.h, which it depends on.
@@ -35,7 +36,7 @@ void onMessage(j_common_ptr state, int level) {
   if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER)) onError(state);
 }
 
-// longjmp skips destructors: the two functions below hold plain values only.
+// longjmp skips destructors: the functions below hold plain values only.
 
 bool readHeader(jpeg_decompress_struct* jpeg, ErrorHandler* handler, std::string_view bytes) {
   if (setjmp(handler->target)) return false;
@@ -58,6 +59,23 @@ bool readRows(jpeg_decompress_struct* jpeg, ErrorHandler* handler, unsigned char
   return true;
 }
 
+bool writeRows(jpeg_compress_struct* jpeg, ErrorHandler* handler, const unsigned char* pixels,
+               std::size_t row_bytes, int quality, unsigned char** bytes, unsigned long* size) {
+  if (setjmp(handler->target)) return false;
+  jpeg_mem_dest(jpeg, bytes, size);
+  jpeg_set_defaults(jpeg);
+  jpeg_set_quality(jpeg, quality, TRUE);
+  jpeg->optimize_coding = TRUE;
+  jpeg_start_compress(jpeg, TRUE);
+  while (jpeg->next_scanline < jpeg->image_height) {
+    // libjpeg reads the rows only; its type says otherwise.
+    JSAMPROW row = const_cast<unsigned char*>(pixels) + jpeg->next_scanline * row_bytes;
+    jpeg_write_scanlines(jpeg, &row, 1);
+  }
+  jpeg_finish_compress(jpeg);
+  return true;
+}
+
 struct Decoder {
   Decoder() {
     jpeg.err = jpeg_std_error(&handler.base);
@@ -70,6 +88,29 @@ struct Decoder {
 
   jpeg_decompress_struct jpeg{};
   ErrorHandler handler{};
+};
+
+struct Encoder {
+  explicit Encoder(const Image<Rgb>& image) {
+    jpeg.err = jpeg_std_error(&handler.base);
+    handler.base.error_exit = onError;
+    jpeg_create_compress(&jpeg);
+    jpeg.image_width = static_cast<JDIMENSION>(image.width());
+    jpeg.image_height = static_cast<JDIMENSION>(image.height());
+    jpeg.input_components = 3;
+    jpeg.in_color_space = JCS_RGB;
+  }
+  ~Encoder() {
+    jpeg_destroy_compress(&jpeg);
+    std::free(bytes);
+  }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+
+  jpeg_compress_struct jpeg{};
+  ErrorHandler handler{};
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
 };
 
 }  // namespace
@@ -89,6 +130,18 @@ Image<Rgb> decodeJpeg(std::string_view bytes, const std::string& name) {
     fail();
   }
   return image;
+}
+
+std::string encodeJpeg(const Image<Rgb>& image, int quality) {
+  static_assert(sizeof(Rgb) == 3);
+  Encoder encoder(image);
+  if (!writeRows(&encoder.jpeg, &encoder.handler,
+                 reinterpret_cast<const unsigned char*>(image.data()),
+                 static_cast<std::size_t>(image.width()) * sizeof(Rgb), quality, &encoder.bytes,
+                 &encoder.size)) {
+    throw OutputError(fmt::format("JPEG: {}", encoder.handler.text));
+  }
+  return {reinterpret_cast<const char*>(encoder.bytes), encoder.size};
 }
 
 }  // namespace hydrabench

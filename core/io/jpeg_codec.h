@@ -10,9 +10,14 @@
 
 namespace hydrabench {
 
-/// libjpeg behind a plain function. `name` is what error messages call the source. Used by
-/// image_io.cpp only.
+/// libjpeg behind plain functions; bytes in, pixels out. `name` is what error messages call the
+/// source. Files are read by image_io.cpp.
 bool isJpeg(std::string_view bytes);
 Image<Rgb> decodeJpeg(std::string_view bytes, const std::string& name);
+
+/// For pictures that are looked at, not measured in. The bytes depend on the pixels alone (and on
+/// the version of libjpeg). The image must have pixels.
+/// @param quality  1 to 100; 80 is hard to tell from the original
+std::string encodeJpeg(const Image<Rgb>& image, int quality);
 
 }  // namespace hydrabench

@@ -19,6 +19,8 @@ constexpr Rgb kFaintInk{110, 115, 123};
 constexpr Rgb kObserved{40, 120, 230};
 constexpr Rgb kProjected{240, 130, 20};
 constexpr Rgb kBoth{50, 190, 90};
+constexpr Rgb kOutside{225, 227, 230};  // of the image
+constexpr Rgb kNoColor{150, 150, 150};
 constexpr int kTile = 240;  // [px]
 constexpr int kGap = 12;
 constexpr int kTextHeightPx = 52;
@@ -97,8 +99,8 @@ int drawLegendEntry(Image<Rgb>& image, int left, Rgb color, const std::string& t
 
 }  // namespace
 
-Image<Rgb> maskOverlay(const ShapeCandidate& candidate, const Image<Rgb>& color,
-                       const RmccConfig& config, int tile_px) {
+MaskCut maskCut(const ShapeCandidate& candidate, const Image<Rgb>& color, const RmccConfig& config,
+                int tile_px) {
   const Image<std::uint8_t> observed = fullMask(candidate);
   const Image<std::uint8_t> projected = projectedMask(
       transformed(candidate.T_world_camera.inverse(), candidate.mesh), candidate.camera, config);
@@ -108,22 +110,42 @@ Image<Rgb> maskOverlay(const ShapeCandidate& candidate, const Image<Rgb>& color,
   const Image<std::uint8_t> silhouette = projectedMask(
       transformed(candidate.T_world_camera.inverse(), candidate.mesh), candidate.camera, whole);
   const Crop crop = cropAround(observed, projected);
-  Image<Rgb> tile(tile_px, tile_px, Rgb{225, 227, 230});
+  MaskCut cut{Image<Rgb>(tile_px, tile_px, kOutside), Image<std::uint8_t>(tile_px, tile_px, 0)};
   for (int v = 0; v < tile_px; ++v) {
     for (int u = 0; u < tile_px; ++u) {
       const int x = static_cast<int>(std::floor(crop.u + (u + 0.5) * crop.side / tile_px));
       const int y = static_cast<int>(std::floor(crop.v + (v + 0.5) * crop.side / tile_px));
       if (!observed.contains(x, y)) continue;
-      Rgb pixel = color.contains(x, y) ? color(x, y) : Rgb{150, 150, 150};
-      const bool seen = observed(x, y) != 0;
-      const bool hit = projected(x, y) != 0;
-      const Rgb paint = seen && hit ? kBoth : seen ? kObserved : kProjected;
-      if (seen || hit) pixel = blended(pixel, paint, 0.42);
-      if (onOutline(silhouette, x, y)) pixel = blended(pixel, kProjected, 0.9);
-      if (onOutline(observed, x, y)) pixel = blended(pixel, kObserved, 0.9);
-      tile(u, v) = pixel;
+      cut.color(u, v) = color.contains(x, y) ? color(x, y) : kNoColor;
+      int parts = 0;
+      if (observed(x, y) != 0) parts |= MaskCut::kObserved;
+      if (projected(x, y) != 0) parts |= MaskCut::kProjected;
+      if (onOutline(observed, x, y)) parts |= MaskCut::kObservedOutline;
+      if (onOutline(silhouette, x, y)) parts |= MaskCut::kProjectedOutline;
+      cut.parts(u, v) = static_cast<std::uint8_t>(parts);
     }
   }
+  return cut;
+}
+
+Image<Rgb> maskOverlay(const ShapeCandidate& candidate, const Image<Rgb>& color,
+                       const RmccConfig& config, int tile_px) {
+  const MaskCut cut = maskCut(candidate, color, config, tile_px);
+  Image<Rgb> tile = cut.color;
+  std::transform(tile.begin(), tile.end(), cut.parts.begin(), tile.begin(),
+                 [](Rgb pixel, std::uint8_t parts) {
+                   const bool seen = (parts & MaskCut::kObserved) != 0;
+                   const bool hit = (parts & MaskCut::kProjected) != 0;
+                   const Rgb paint = seen && hit ? kBoth : seen ? kObserved : kProjected;
+                   if (seen || hit) pixel = blended(pixel, paint, 0.42);
+                   if ((parts & MaskCut::kProjectedOutline) != 0) {
+                     pixel = blended(pixel, kProjected, 0.9);
+                   }
+                   if ((parts & MaskCut::kObservedOutline) != 0) {
+                     pixel = blended(pixel, kObserved, 0.9);
+                   }
+                   return pixel;
+                 });
   return tile;
 }
 

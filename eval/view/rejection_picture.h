@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -25,7 +26,22 @@ Image<Rgb> rejectionPicture(const std::vector<ShapeCandidate>& candidates,
                             const LabelSpace& label_space, const ColorAt& color_at,
                             const RmccConfig& config, std::size_t count = 24);
 
-/// One tile without text, of the given size; what rejectionPicture is made of.
+/// The part of a view around both masks, and which of them holds each pixel.
+struct MaskCut {
+  static constexpr std::uint8_t kObserved = 1;
+  static constexpr std::uint8_t kProjected = 2;
+  static constexpr std::uint8_t kObservedOutline = 4;
+  static constexpr std::uint8_t kProjectedOutline = 8;  ///< of the surface: points leave gaps
+  Image<Rgb> color;           ///< square; grey where the view has no colour, lighter outside of it
+  Image<std::uint8_t> parts;  ///< of the same size, the bits above; 0 outside the view
+};
+
+/// @param color   of the view, or empty
+/// @param config  of the method, for the projected mask
+MaskCut maskCut(const ShapeCandidate& candidate, const Image<Rgb>& color, const RmccConfig& config,
+                int tile_px);
+
+/// The cut as one picture without text; what rejectionPicture is made of.
 Image<Rgb> maskOverlay(const ShapeCandidate& candidate, const Image<Rgb>& color,
                        const RmccConfig& config, int tile_px);
 
