@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -87,17 +86,6 @@ void viewPrediction(const Options& options) {
   const bool has_meshes = std::any_of(graph.objects.begin(), graph.objects.end(),
                                       [](const ObjectNode& node) { return !node.mesh.empty(); });
   if (has_meshes) save(options.out / "objects.png", objectSheet(graph));
-}
-
-/// Colour images by stamp; for datasets whose poses say which stamps there are.
-ColorAt colorAt(const Dataset& dataset) {
-  std::map<std::int64_t, std::size_t> index_of;
-  const std::vector<StampedPose>& poses = dataset.groundTruth().trajectory;
-  for (std::size_t i = 0; i < poses.size(); ++i) index_of.emplace(poses[i].stamp_ns, i);
-  return [&dataset, index_of](std::int64_t stamp_ns) {
-    const auto found = index_of.find(stamp_ns);
-    return found == index_of.end() ? Image<Rgb>() : dataset.frame(found->second).color;
-  };
 }
 
 /// What every method made of the objects of a world, and what each turned down.

@@ -33,11 +33,6 @@ const std::vector<TableColumn> kColumns = {
     {"rank_stability", "> next", R"($>$ next)", true, 2, false},
 };
 
-/// Rows that know the ground truth compete with nobody.
-bool isUpperBound(const std::string& method) {
-  return method.starts_with("oracle_") || method == "ground_truth";
-}
-
 /// Takes out a column in which nothing stands.
 void dropEmptyColumn(const std::string& metric, ComparisonTable& table) {
   const auto column = std::find_if(table.columns.begin(), table.columns.end(),
@@ -79,6 +74,10 @@ void rankColumn(TableBlock& block, std::size_t column, const TableColumn& spec) 
 }
 
 }  // namespace
+
+bool isUpperBound(const std::string& method) {
+  return method.starts_with("oracle_") || method == "ground_truth";
+}
 
 std::string methodLabel(const std::string& method) {
   static const std::map<std::string, std::string> kLabels = {

@@ -65,6 +65,7 @@ ComparisonTable comparisonTable(const std::vector<ScoreRow>& rows,
 ComparisonTable differencesTo(const ComparisonTable& table, const std::string& method);
 
 std::string methodLabel(const std::string& method);  ///< "hydra_plus_plus" -> "Hydra++"
+bool isUpperBound(const std::string& method);  ///< knows the ground truth: competes with nobody
 
 std::string renderTerminal(const ComparisonTable& table, bool color);
 std::string renderMarkdown(const ComparisonTable& table);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
@@ -98,6 +99,16 @@ int drawLegendEntry(Image<Rgb>& image, int left, Rgb color, const std::string& t
 }
 
 }  // namespace
+
+ColorAt colorAt(const Dataset& dataset) {
+  std::map<std::int64_t, std::size_t> index_of;
+  const std::vector<StampedPose>& poses = dataset.groundTruth().trajectory;
+  for (std::size_t i = 0; i < poses.size(); ++i) index_of.emplace(poses[i].stamp_ns, i);
+  return [&dataset, index_of](std::int64_t stamp_ns) {
+    const auto found = index_of.find(stamp_ns);
+    return found == index_of.end() ? Image<Rgb>() : dataset.frame(found->second).color;
+  };
+}
 
 MaskCut maskCut(const ShapeCandidate& candidate, const Image<Rgb>& color, const RmccConfig& config,
                 int tile_px) {

@@ -11,11 +11,14 @@
 #include "core/objects/rmcc.h"
 #include "core/types/color.h"
 #include "core/types/label_space.h"
+#include "eval/datasets/dataset.h"
 
 namespace hydrabench {
 
 /// Colour image at a stamp; empty where there is none.
 using ColorAt = std::function<Image<Rgb>(std::int64_t stamp_ns)>;
+/// Of a dataset whose poses say which stamps there are. It must outlive what is returned.
+ColorAt colorAt(const Dataset& dataset);
 
 /// The estimates that the consistency check turned down, lowest overlap first, at most `count`: the
 /// view of each, cut out around it, with the observed mask in blue, the projected one in orange and
