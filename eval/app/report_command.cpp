@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <unistd.h>
 
 #include <CLI/App.hpp>
@@ -10,7 +11,9 @@
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
 #include "eval/app/app.h"
+#include "eval/app/progress.h"
 #include "eval/report/comparison_table.h"
+#include "eval/report/html/html_report.h"
 #include "eval/report/result_folder.h"
 #include "eval/report/variant_table.h"
 
@@ -24,6 +27,7 @@ struct Options {
   std::string class_name = kAllMicro;
   bool variants = false;
   std::string against;
+  double max_mb = HtmlReportOptions().max_mb;
 };
 
 std::string render(const ComparisonTable& table, const std::string& format, bool color) {
@@ -60,7 +64,27 @@ int reportVariants(const Options& options) {
   return kDone;
 }
 
+/// One file to look at, beside the result unless told otherwise.
+int reportHtml(const Options& options) {
+  std::optional<Progress> progress;
+  HtmlReportOptions html;
+  html.max_mb = options.max_mb;
+  html.on_step = [&](std::size_t, std::size_t total) {
+    if (!progress) progress.emplace("report", total);
+    progress->advance();
+  };
+  const HtmlReport report = htmlReport(options.result, html);
+  progress.reset();
+  for (const std::string& remark : report.remarks) fmt::print(stderr, "{}\n", remark);
+  const std::filesystem::path out =
+      options.out.empty() ? options.result / "report.html" : options.out;
+  writeFileAtomic(out, report.page);
+  fmt::print("wrote {} ({:.1f} MB)\n", out.string(), static_cast<double>(report.page.size()) / 1e6);
+  return kDone;
+}
+
 int report(const Options& options) {
+  if (options.format == "html") return reportHtml(options);
   const std::filesystem::path scores = options.result / "scores.csv";
   if (std::filesystem::exists(options.result / kResultMarker) && !std::filesystem::exists(scores)) {
     throw InputError(fmt::format("{}: nothing was scored here: its datasets have no ground truth",
@@ -89,8 +113,10 @@ Command addReport(CLI::App& app) {
                  "result folder, as written by run, evaluate or selftest")
       ->required()
       ->type_name("RESULT");
-  app.add_option("--format", options->format, "terminal, md, tex (booktabs), csv or json")
-      ->check(CLI::IsMember({"terminal", "md", "tex", "csv", "json"}))
+  app.add_option(
+         "--format", options->format,
+         "terminal, md, tex (booktabs), csv, json, or html: one file with all there is to look at")
+      ->check(CLI::IsMember({"terminal", "md", "tex", "csv", "json", "html"}))
       ->capture_default_str();
   app.add_option("--class", options->class_name, "class to print, all_micro (pooled) or all_macro")
       ->capture_default_str();
@@ -99,7 +125,13 @@ Command addReport(CLI::App& app) {
   app.add_option("--against", options->against,
                  "print every value less that of this method: what a change gains or costs")
       ->type_name("METHOD");
-  app.add_option("--out", options->out, "file to write instead of printing")->type_name("FILE");
+  app.add_option("--out", options->out,
+                 "file to write instead of printing; html: instead of RESULT/report.html")
+      ->type_name("FILE");
+  app.add_option("--max-mb", options->max_mb,
+                 "html: size to keep below [10^6 bytes], by coarser scenes")
+      ->check(CLI::Range(1.0, 2000.0))
+      ->capture_default_str();
   return [options] { return report(*options); };
 }
 

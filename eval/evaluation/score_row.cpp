@@ -19,6 +19,8 @@ const std::vector<std::string> kColumns = {
 
 }  // namespace
 
+const std::vector<std::string>& scoreColumns() { return kColumns; }
+
 std::string scoresCsv(const std::vector<ScoreRow>& rows) {
   std::string text = csvLine(kColumns);
   for (const ScoreRow& row : rows) {
@@ -34,29 +36,33 @@ std::vector<ScoreRow> readScoresCsv(const std::filesystem::path& path) {
   const CsvTable table = readCsv(path, kColumns);
   std::vector<ScoreRow> rows;
   rows.reserve(table.rows.size());
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::vector<std::string>& cells = table.rows[i];
-    ScoreRow& row = rows.emplace_back();
-    row.dataset = cells[0];
-    row.seed = cells[1];
-    row.method = cells[2];
-    row.class_name = cells[3];
-    row.threshold_kind = cells[4];
-    row.threshold = table.number(i, 5);
-    row.matching = cells[6];
-    row.metric = cells[7];
-    row.value = table.number(i, 8);
-    row.unit = cells[9];
-    row.ci95_low = table.number(i, 10);
-    row.ci95_high = table.number(i, 11);
-    const std::optional<double> n = table.number(i, 12);
-    if (!n || *n < 0) {
-      throw InputError(
-          fmt::format("{}:{}: n: '{}', expected a count", path.string(), i + 2, cells[12]));
-    }
-    row.n = static_cast<std::size_t>(*n);
-  }
+  for (std::size_t i = 0; i < table.rows.size(); ++i) rows.push_back(scoreRowOf(table, i));
   return rows;
+}
+
+ScoreRow scoreRowOf(const CsvTable& table, std::size_t i, std::size_t first) {
+  const auto text = [&](std::size_t column) { return table.rows[i][first + column]; };
+  const auto number = [&](std::size_t column) { return table.number(i, first + column); };
+  ScoreRow row;
+  row.dataset = text(0);
+  row.seed = text(1);
+  row.method = text(2);
+  row.class_name = text(3);
+  row.threshold_kind = text(4);
+  row.threshold = number(5);
+  row.matching = text(6);
+  row.metric = text(7);
+  row.value = number(8);
+  row.unit = text(9);
+  row.ci95_low = number(10);
+  row.ci95_high = number(11);
+  const std::optional<double> n = number(12);
+  if (!n || *n < 0) {
+    throw InputError(
+        fmt::format("{}:{}: n: '{}', expected a count", table.path.string(), i + 2, text(12)));
+  }
+  row.n = static_cast<std::size_t>(*n);
+  return row;
 }
 
 }  // namespace hydrabench

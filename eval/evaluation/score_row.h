@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "eval/evaluation/csv.h"
+
 namespace hydrabench {
 
 inline constexpr const char* kAllMicro = "all_micro";  ///< pooled over objects of every class
@@ -39,5 +41,9 @@ struct ScoreRow {
 std::string scoresCsv(const std::vector<ScoreRow>& rows);
 /// Throws InputError naming file, line and column.
 std::vector<ScoreRow> readScoresCsv(const std::filesystem::path& path);
+
+/// The columns of scores.csv, and a row of a table that has them from column `first` on.
+const std::vector<std::string>& scoreColumns();
+ScoreRow scoreRowOf(const CsvTable& table, std::size_t row, std::size_t first = 0);
 
 }  // namespace hydrabench

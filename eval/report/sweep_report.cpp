@@ -118,6 +118,28 @@ std::string sweepCsv(const SweepScores& sweep) {
   return text;
 }
 
+std::optional<SweepScores> readSweepCsv(const std::filesystem::path& path) {
+  std::vector<std::vector<std::string>> records = readCsvCells(path);
+  const std::vector<std::string>& scores = scoreColumns();
+  if (records.empty() || records.front().size() <= scores.size()) return std::nullopt;
+  const std::size_t axes = records.front().size() - scores.size();
+  const auto first_score = records.front().begin() + static_cast<std::ptrdiff_t>(axes);
+  if (!std::equal(first_score, records.front().end(), scores.begin())) return std::nullopt;
+
+  const CsvTable table = readCsv(path, records.front());
+  SweepScores sweep;
+  for (std::size_t a = 0; a < axes; ++a) sweep.axes.push_back({table.columns[a], table.columns[a]});
+  std::map<std::vector<std::string>, std::size_t> points;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto begin = table.rows[i].begin();
+    const std::vector<std::string> values(begin, begin + static_cast<std::ptrdiff_t>(axes));
+    const auto [place, is_new] = points.emplace(values, sweep.points.size());
+    if (is_new) sweep.points.push_back({values, {}});
+    sweep.points[place->second].rows.push_back(scoreRowOf(table, i, axes));
+  }
+  return sweep;
+}
+
 ComparisonTable sweepTable(const SweepScores& sweep) {
   std::vector<ScoreRow> rows;
   for (const SweepScores::Point& point : sweep.points) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct SweepScores {
 
 /// scores.csv with a column per axis in front.
 std::string sweepCsv(const SweepScores& sweep);
+/// The way back; the titles of the axes are their names. nullopt where the file is the scores.csv
+/// of no sweep. Throws InputError naming file and line.
+std::optional<SweepScores> readSweepCsv(const std::filesystem::path& path);
 
 /// The comparison table with a row for every method and point.
 ComparisonTable sweepTable(const SweepScores& sweep);

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+import {BufferAttribute, BufferGeometry} from "three";
+import {bytes} from "../data.js";
+import {decodeMesh} from "../mesh_decoder.js";
+
+/** The shapes of one world, decoded when they are asked for. */
+export class World {
+  static async open(data) {
+    return new World(data, await bytes(data.prefix + "-shapes.gz"));
+  }
+
+  constructor(data, shapes) {
+    this.data = data;
+    this.shapes = shapes;
+    this.geometries = new Map();
+  }
+
+  /** Of an object; equal shapes share it, so it must not be changed. */
+  geometry(mesh) {
+    if (!this.geometries.has(mesh.at)) this.geometries.set(mesh.at, geometryOf(decodeMesh(this.shapes, mesh)));
+    return this.geometries.get(mesh.at);
+  }
+
+  /** The same with room for a colour per vertex. */
+  paintable(mesh) {
+    const geometry = this.geometry(mesh).clone();
+    geometry.setAttribute("color", new BufferAttribute(new Uint8Array(3 * mesh.vertices), 3, true));
+    return geometry;
+  }
+
+  /** Distances of a mesh's vertices in millimetres, 255: that or more. */
+  distances(at, mesh) {
+    return this.shapes.subarray(at, at + mesh.vertices);
+  }
+
+  async sceneGeometry(index) {
+    return geometryOf(decodeMesh(await bytes(this.data.prefix + "-scene-" + index + ".gz"), this.data.scenes[index]));
+  }
+
+  /** A picture as a Blob. */
+  async picture([offset, size], type) {
+    return new Blob([(await bytes(this.data.prefix + "-views")).subarray(offset, offset + size)], {type});
+  }
+}
+
+function geometryOf({positions, colors, indices}) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  if (colors) geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  geometry.computeBoundingBox();
+  geometry.computeBoundingSphere();
+  return geometry;
+}
