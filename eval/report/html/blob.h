@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 namespace hydrabench {
 
@@ -28,7 +28,7 @@ class BlobPool {
 
  private:
   std::string bytes_;
-  std::map<std::string, Piece> pieces_;
+  std::unordered_map<std::string, Piece> pieces_;
 };
 
 }  // namespace hydrabench

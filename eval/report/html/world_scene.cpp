@@ -87,6 +87,7 @@ WorldScene::WorldScene(const ResultWorld& world, const ObjectWorld* objects)
   for (const GroundTruthObject* truth : truths_) {
     truth_meshes_.push_back(transformed(truth->T_world_object, *truth->mesh));
     truth_meshes_.back().colors.clear();
+    truth_boxes_.push_back(bounds(truth_meshes_.back()));
   }
   for (const Mesh& mesh : truth_meshes_) truth_shapes_.push_back(shapes_.add(mesh));
   for (const std::filesystem::path& path : world.predictions) load(path);
@@ -138,7 +139,7 @@ std::optional<std::size_t> WorldScene::nearestTruth(const ShapeCandidate& candid
   double least = 0;
   for (std::size_t t = 0; t < truths_.size(); ++t) {
     if (truths_[t]->label != candidate.label) continue;
-    const Aabb box = bounds(truth_meshes_[t]);
+    const Aabb& box = truth_boxes_[t];
     const double distance = (box.center() - candidate.box.center()).norm();
     // Further away it is about something else.
     if (distance > 2 * halfDiagonal(box) || (nearest && distance >= least)) continue;

@@ -70,6 +70,7 @@ class WorldScene {
   std::vector<const Mesh*> scenes_;
   ShapeSet shapes_;
   std::vector<std::size_t> truth_shapes_;
+  std::vector<Aabb> truth_boxes_;
 };
 
 }  // namespace hydrabench

@@ -33,7 +33,8 @@ export function worldControl() {
   return keys.length > 1 && select("world", keys.map((key) => [key, key.replace("/", ", seed ")]), chosenWorld(), (world) => state.set({world, object: null}));
 }
 
-export function settingControls() {
+/** @param narrow  two drop-downs that fit beside each other */
+export function settingControls(narrow = false) {
   const settings = objects().settings;
   if (settings.length === 0) return null;
   const chosen = settings[chosenSetting()];
@@ -42,7 +43,7 @@ export function settingControls() {
       const [kind, value] = key.split(":");
       return [key, thresholdText(kind, value)];
     }), settingKey(chosen), (threshold) => state.set({threshold})),
-    choice("matching", distinct(settings.map((setting) => setting.matching)).map((m) => [m, matchingText(m), m]), chosen.matching, (matching) => state.set({matching})),
+    (narrow ? select : choice)("matching", distinct(settings.map((setting) => setting.matching)).map((m) => [m, matchingText(m), m]), chosen.matching, (matching) => state.set({matching})),
   ];
 }
 

@@ -45,5 +45,5 @@ function summary(millimetres) {
     const mm = sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
     return (mm >= 255 ? "≥ " : "") + (mm / 10).toFixed(1);
   };
-  return "half within " + at(0.5) + " cm, 90 % within " + at(0.9) + " cm";
+  return "half within " + at(0.5) + " cm, 90\u00a0% within " + at(0.9) + "\u00a0cm";
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-import {Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Points, PointsMaterial, Vector3} from "three";
+import {Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Points, PointsMaterial, Vector3} from "three";
 import {distinct} from "../data.js";
 import {classColor, cssColor, methodColor, scaleColor} from "../palette.js";
 
@@ -68,21 +68,22 @@ export class Layers {
       const mesh = this.add(new Mesh(geometry, surface(painted ? 0xffffff : color, {vertexColors: painted})), painted);
       mesh.userData.pick = {method: method.name, object: i, name: object.name, truth: object.status === "matched" ? object.truth : null};
       this.pickable.push(mesh);
-      if (extra) this.add(outline(boxPoints(geometry), cssColor("--extra")), true);
+      if (extra) this.add(outline(boxPoints(geometry), cssColor("--extra"), 0, kCross), true);
     });
   }
 
   /** Overlay of all true objects, or at least those that no method shown has found. */
-  addTruths(world, shown, {truths}) {
+  addTruths(world, shown, {truths, selected}) {
     const scored = shown.filter((method) => method.isScored);
     world.truths.forEach((truth, t) => {
       const missed = scored.length > 0 && scored.every((method) => method.ofTruth.get(t)?.kind !== "matched");
       const geometry = this.world.geometry(truth.mesh);
       if (missed) this.add(outline(boxPoints(geometry), cssColor("--missed")), true);
-      if (truths === "none" && !missed) return;
-      const wire = truths === "wire" && !missed;
+      const chosen = selected?.truth === t && truths === "none";
+      if (truths === "none" && !missed && !chosen) return;
+      const wire = (truths === "wire" || chosen) && !missed;
       const color = cssColor(missed ? "--missed" : "--truth");
-      const mesh = this.add(new Mesh(geometry, wire ? surface(color, {wireframe: true, transparent: true, opacity: 0.35}) : surface(color, {transparent: true, opacity: truths === "solid" && !missed ? 1 : 0.42, depthWrite: truths === "solid" && !missed})));
+      const mesh = this.add(new Mesh(geometry, wire ? new MeshBasicMaterial({color: new Color(color), wireframe: true, transparent: true, opacity: 0.5}) : surface(color, {transparent: true, opacity: truths === "solid" && !missed ? 1 : 0.42, depthWrite: truths === "solid" && !missed})));
       mesh.userData.pick = {truth: t, name: truth.name};
       this.pickable.push(mesh);
     });
@@ -111,7 +112,7 @@ export class Layers {
 
   addSelection(world, selected) {
     const boxes = this.boxesOf(world, selected);
-    const color = cssColor("--ink");
+    const color = cssColor("--accent");
     for (const box of boxes) {
       const frame = this.add(outline([box.min, box.max], color, 0.02), true);
       frame.material.depthTest = false;
@@ -168,9 +169,11 @@ const boxPoints = (geometry) => [geometry.boundingBox.min, geometry.boundingBox.
 
 const kEdges = [[0, 1], [1, 3], [3, 2], [2, 0], [4, 5], [5, 7], [7, 6], [6, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
 
-function outline([low, high], color, margin = 0) {
+const kCross = [[4, 7], [5, 6]];  // on top
+
+function outline([low, high], color, margin = 0, more = []) {
   const corner = (i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? high.getComponent(axis) + margin : low.getComponent(axis) - margin));
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(kEdges.flatMap(([a, b]) => [...corner(a), ...corner(b)])), 3));
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array([...kEdges, ...more].flatMap(([a, b]) => [...corner(a), ...corner(b)])), 3));
   return new LineSegments(geometry, new LineBasicMaterial({color: new Color(color)}));
 }

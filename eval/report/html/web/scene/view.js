@@ -12,7 +12,7 @@ const kBoth = [50, 190, 90];
 /** The view that a shape was estimated from: its picture with the observed mask, the projected one and their overlap. */
 export function viewCard(shapes, candidate) {
   const scores = h("dl", {class: "scores"},
-    [["overlap O", fixed(candidate.overlap)], ["coverage", fixed(candidate.coverage)], ["depth residual", candidate.depth_residual_m === undefined || candidate.depth_residual_m === null ? "n/a" : centimetres(candidate.depth_residual_m) + " cm"], ["views", candidate.observations]]
+    [["overlap O", fixed(candidate.overlap)], ["coverage", fixed(candidate.coverage)], ["depth off", candidate.depth_residual_m === undefined || candidate.depth_residual_m === null ? "n/a" : centimetres(candidate.depth_residual_m) + " cm"], ["views", candidate.observations]]
       .map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
   const verdict = h("p", {class: "verdict " + (candidate.accepted ? "yes" : "no")}, candidate.accepted ? "accepted by the consistency check" : "rejected: " + candidate.reason);
   if (!candidate.color) return h("div", {class: "view"}, verdict, scores);

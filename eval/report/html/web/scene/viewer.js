@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-import {AmbientLight, Color, DirectionalLight, PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer} from "three";
+import {Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer} from "three";
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {cssColor} from "../palette.js";
 import {onTheme} from "../theme.js";
@@ -88,19 +88,35 @@ export class Viewer {
     this.renderer.render(scene, this.camera);
   }
 
-  /** Looks at a box from where the camera is turned to, or from `direction`. */
-  lookAt(box, {direction = null, jump = false, room = 1.15} = {}) {
+  /** Looks at a box: from where the camera is, or from that of `directions` in which it appears largest. */
+  lookAt(box, {directions = null, jump = false, room = 1.15} = {}) {
     const center = box.getCenter(new Vector3());
-    const radius = Math.max(0.05, box.getSize(new Vector3()).length() / 2);
+    const here = this.camera.position.clone().sub(this.controls.target);
+    let best = null;
+    for (const direction of directions ?? [here.lengthSq() > 0 ? here : new Vector3(-0.4, -0.7, 0.8)]) {
+      const away = direction.clone().normalize();
+      const distance = this.distanceFor(box, center, away, room);
+      if (!best || distance < best.distance) best = {away, distance};
+    }
+    const eye = center.clone().addScaledVector(best.away, best.distance);
+    if (jump || matchMedia("(prefers-reduced-motion: reduce)").matches) this.place(eye, center);
+    else this.fly(eye, center);
+  }
+
+  /** As far as it takes for every corner of the box to be inside. */
+  distanceFor(box, center, away, room) {
     const {clientWidth: width, clientHeight: height} = this.holder;
     const shape = this.cells ? this.gridSize() : {columns: 1, rows: 1};
     const aspect = (width / shape.columns) / Math.max(1, height / shape.rows);
-    const half = Math.tan(this.camera.fov * Math.PI / 360) * Math.min(1, aspect);
-    const away = direction ? direction.clone().normalize() : this.camera.position.clone().sub(this.controls.target).normalize();
-    if (!(away.lengthSq() > 0.5)) away.set(-0.4, -0.7, 0.8).normalize();
-    const eye = center.clone().addScaledVector(away, room * radius / half);
-    if (jump || matchMedia("(prefers-reduced-motion: reduce)").matches) this.place(eye, center);
-    else this.fly(eye, center);
+    const half = Math.tan(this.camera.fov * Math.PI / 360);
+    const right = new Vector3(0, 0, 1).cross(away).normalize();
+    const up = away.clone().cross(right);
+    let distance = 0.1;
+    for (let i = 0; i < 8; ++i) {
+      const corner = new Vector3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z).sub(center);
+      distance = Math.max(distance, corner.dot(away) + room * Math.max(Math.abs(corner.dot(right)) / (half * aspect), Math.abs(corner.dot(up)) / half));
+    }
+    return distance;
   }
 
   place(eye, target) {
@@ -164,6 +180,8 @@ export class Viewer {
 
 /** Every scene that a viewer draws needs one. */
 export function addLamp(scene) {
-  scene.userData.lamp = new DirectionalLight(0xffffff, 2.0);
-  scene.add(new AmbientLight(0xffffff, 1.3), scene.userData.lamp);
+  scene.userData.lamp = new DirectionalLight(0xffffff, 1.35);
+  const sky = new HemisphereLight(0xffffff, 0x83868c, 1.85);
+  sky.position.set(0, 0, 1);
+  scene.add(sky, scene.userData.lamp);
 }

@@ -25,8 +25,9 @@ export function kappaView(page, data) {
     const rows = steps.filter(here);
     const bands = intervals.filter(here);
     const methods = distinct(rows.map((row) => row.method));
-    const end = Math.max(...bands.map((row) => row.kappa), ...rows.map((row) => row.kappa));
-    const of = new Map(methods.map((method) => [method, rows.filter((row) => row.method === method)]));
+    // The curves go on to the last estimate; means and intervals end at the largest kappa of the evaluation.
+    const end = bands.length > 0 ? Math.max(...bands.map((row) => row.kappa)) : Math.min(1, Math.max(...rows.map((row) => row.kappa)));
+    const of = new Map(methods.map((method) => [method, rows.filter((row) => row.method === method && row.kappa <= end)]));
     const readout = h("tbody", {});
     const slider = h("input", {type: "range", min: 0, max: end, step: end / 200, value: chosen.kappa, id: "kappa", oninput: (event) => read(Number(event.target.value))});
     const at = h("output", {for: "kappa"});

@@ -14,6 +14,9 @@ import * as state from "../state.js";
 import {onTheme} from "../theme.js";
 import {Vector3} from "three";
 
+/** From where a world may be looked at first: obliquely from above, all around. */
+const kDirections = Array.from({length: 8}, (_, i) => new Vector3(Math.cos((i + 0.6) * Math.PI / 4), Math.sin((i + 0.6) * Math.PI / 4), 1.25));
+
 /** The scene of a world: what was mapped, what is there, and how far apart they are. */
 export function sceneTab(page) {
   const scene = json("scene");
@@ -34,12 +37,9 @@ class SceneTab {
     this.tip = h("div", {class: "tip", hidden: true});
     this.overlay = h("div", {class: "overlay"});
     fill(page, this.left, h("div", {class: "middle"}, this.stage, this.overlay, this.tip), this.right);
-    try {
-      this.viewer = new Viewer(this.stage);
-    } catch (error) {
-      fill(this.stage, h("p", {class: "empty"}, "This browser gives no WebGL: " + error.message));
-    }
-    this.options = {methods: new Set(), scene: "", color: "method", truths: "wire", lines: false, path: false, maxError: 0.1, every: false, cut: null};
+    if (document.createElement("canvas").getContext("webgl2")) this.viewer = new Viewer(this.stage);
+    else fill(this.stage, h("p", {class: "empty"}, "This browser gives no WebGL 2, so there is no scene; everything else works."));
+    this.options = {methods: new Set(), scene: "", color: "method", truths: "none", lines: false, path: false, maxError: 0.1, every: false, cut: null};
     this.viewer?.onPick((ray) => this.click(ray), (ray, event) => this.hover(ray, event));
     document.addEventListener("keydown", (event) => this.key(event));
     onTheme(() => this.show());
@@ -75,7 +75,7 @@ class SceneTab {
     this.floor = box.min.z;
     if (this.options.cut === null) this.setCut(1.6);
     this.show();
-    this.viewer.lookAt(box, {direction: new Vector3(-0.25, -0.75, 1), jump: true, room: 0.74});
+    this.viewer.lookAt(box, {directions: kDirections, jump: true, room: 1.03});
     if (this.selected()) this.flyTo(true);
   }
 
@@ -112,7 +112,7 @@ class SceneTab {
     }
     this.before ??= {eye: this.viewer.camera.position.clone(), target: this.viewer.controls.target.clone()};
     const [box] = this.layers.boxesOf(this.world, selected);
-    this.viewer.lookAt(box, {jump, room: this.heating() ? 1.3 : 2.6});
+    this.viewer.lookAt(box, {jump, room: this.heating() ? 1.35 : 3});
   }
 
   show() {
@@ -142,23 +142,24 @@ class SceneTab {
     const scroll = this.list?.scrollTop ?? 0;
     const focused = document.activeElement === this.list;
     const counts = (method) => {
-      if (!method.isScored) return method.objects.length + " objects";
+      if (!method.isScored) return String(method.objects.length);
       const found = [...method.ofTruth.values()].filter((outcome) => outcome.kind === "matched").length;
       const extra = method.objects.filter((object) => object.status === "unmatched" || object.status === "duplicate").length;
-      return found + " of " + world.truths.length + (extra > 0 ? " + " + extra : "");
+      return found + (extra > 0 ? " + " + extra : "");
     };
     fill(this.left,
       worldControl(),
-      h("div", {class: "pair"}, settingControls()),
+      h("div", {class: "pair"}, settingControls(true)),
       h("fieldset", {}, h("legend", {}, "Objects of", h("small", {}, "found + false")), world.methods.map((method) => h("div", {class: "methodline"},
         checkbox(methodLabel(method.name), options.methods.has(method.name), (on) => { on ? options.methods.add(method.name) : options.methods.delete(method.name); this.show(); }, swatch(method.name)),
         h("small", {}, counts(method))))),
-      select("colour by", [["method", "method"], ["outcome", "outcome"], ["error", "distance to the truth"], ["class", "class"]], options.color, change("color")),
-      select("ground truth", [["none", "only what is missed"], ["wire", "wireframe"], ["veil", "translucent"], ["solid", "solid"]], options.truths, change("truths")),
-      select("scene mesh", [["", "none"], ...world.methods.filter((method) => method.scene !== null).map((method) => [method.name, methodLabel(method.name)])], options.scene, change("scene")),
-      h("label", {class: "field"}, h("span", {}, "cut above"), h("input", {type: "range", min: 0.1, max: 4, step: 0.1, value: options.cut, oninput: (event) => this.setCut(Number(event.target.value))})),
-      checkbox("lines to matches", options.lines, change("lines")),
-      checkbox("camera path", options.path, change("path")),
+      h("div", {class: "twin"},
+        select("colour by", [["method", "method"], ["outcome", "outcome"], ["error", "error"], ["class", "class"]], options.color, change("color")),
+        select("ground truth", [["none", "missed"], ["wire", "wireframe"], ["veil", "translucent"], ["solid", "solid"]], options.truths, change("truths")),
+        select("scene mesh", [["", "none"], ...world.methods.filter((method) => method.scene !== null).map((method) => [method.name, methodLabel(method.name)])], options.scene, change("scene")),
+        h("label", {class: "field"}, h("span", {}, "cut above"), h("input", {type: "range", min: 0.1, max: 4, step: 0.1, value: options.cut, oninput: (event) => this.setCut(Number(event.target.value))})),
+        checkbox("match lines", options.lines, change("lines")),
+        checkbox("camera path", options.path, change("path"))),
       this.objectList());
     this.list.scrollTop = scroll;
     const current = this.list.querySelector("[aria-selected=true]");
@@ -194,7 +195,7 @@ class SceneTab {
       this.step(by);
     }}, choices.map((choice) => h("li", {role: "option", "aria-selected": String(choice.key === chosen), onclick: () => this.choose(choice.key)},
       choice.text, choice.hint && h("small", {class: choice.hint === "missed" ? "missed" : "extra"}, choice.hint))));
-    return h("div", {class: "objects"}, h("span", {class: "label"}, choices.length + " objects"), this.list);
+    return h("div", {class: "choices"}, h("span", {class: "label"}, choices.length + " objects"), this.list);
   }
 
   drawRight() {
@@ -223,7 +224,7 @@ class SceneTab {
     const heatless = this.heating() && h("p", {class: "notice"}, methodLabel(this.method()) + " has nothing here to compare with: it missed this object.");
     fill(this.overlay, heatless, h("div", {class: "corner"},
       this.options.color === "error" && scale(),
-      h("div", {class: "legend"}, this.options.truths !== "none" && swatchOf("--truth", "ground truth"), swatchOf("--missed", "missed"), swatchOf("--extra", "false or duplicate"), this.options.color === "outcome" && swatchOf("--found", "found"))));
+      h("div", {class: "legend"}, (this.options.truths !== "none" || this.selected()?.truth !== undefined) && swatchOf("--truth", "ground truth"), swatchOf("--missed", "missed (ghost)"), swatchOf("--extra", "false or duplicate (crossed box)"), this.options.color === "outcome" && swatchOf("--found", "found"))));
   }
 
   hit(ray) {

@@ -61,7 +61,7 @@ export function comparison(table, block) {
         const [value, low, up] = row.cells[i];
         const at = (x) => (100 * Math.min(1, Math.max(0, x / scale))).toFixed(1) + "%";
         return [h("span", {class: "value"}, fixed(value, column.decimals)),
-          !counts && low !== null && [h("span", {class: "interval"}, interval(low, up, column.decimals === 3 ? 2 : column.decimals)),
+          column.ranked && !counts && low !== null && [h("span", {class: "interval"}, interval(low, up, Math.max(2, column.decimals - 1))),
             h("span", {class: "whisker", "aria-hidden": "true"}, h("i", {style: "left:" + at(low) + ";right:calc(100% - " + at(up) + ")"}), h("b", {style: "left:" + at(value)}))]];
       },
     });

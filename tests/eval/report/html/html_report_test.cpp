@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "eval/report/html/html_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/types/error.h"
+#include "eval/evaluation/score_row.h"
+#include "eval/report/html/web_assets.h"
+#include "eval/report/result_folder.h"
+#include "eval/report/sweep_report.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hydrabench {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+ScoreRow row(const std::string& method, double f1) {
+  return {"office", "1", method, kAllMicro, "tau_m", 0.5, kMatchingOneToOne,
+          "f1",     f1,  "",     {},        {},      1};
+}
+
+class HtmlReportTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      webAssets();
+    } catch (const InputError& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  std::string page() { return htmlReport(folder_.path()).page; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(HtmlReportTest, AResultWithoutPredictionsHasTablesAndASentenceForTheScene) {
+  writeText(folder_ / "scores.csv", scoresCsv({row("hydra", 0.5), row("</script>", 0.25)}));
+  const std::string text = page();
+  EXPECT_THAT(text, HasSubstr(R"("name":"hydra","label":"Hydra")"));
+  EXPECT_THAT(text, HasSubstr("This folder holds no predictions"));
+  EXPECT_THAT(text, HasSubstr(R"("name":"\u003c/script>")"));
+  EXPECT_THAT(text, Not(HasSubstr(R"("</script>")")));
+}
+
+TEST_F(HtmlReportTest, NothingIsFetched) {
+  writeText(folder_ / "scores.csv", scoresCsv({row("hydra", 0.5)}));
+  const std::string text = page();
+  EXPECT_THAT(text, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(text, Not(HasSubstr("<script src")));
+  EXPECT_THAT(text, Not(HasSubstr("<link rel=\"stylesheet\"")));
+}
+
+TEST_F(HtmlReportTest, ASweepHasItsPlotsAndItsTable) {
+  const SweepScores sweep = {{{"voxel_size_m", "voxel size [m]"}},
+                             {{{"0.1"}, {row("hydra", 0.5)}}, {{"0.2"}, {row("hydra", 0.25)}}}};
+  writeText(folder_ / "scores.csv", sweepCsv(sweep));
+  const std::string text = page();
+  EXPECT_THAT(text, HasSubstr(R"("points":[[0.1,0.5],[0.2,0.25]])"));
+  EXPECT_THAT(text, HasSubstr("Hydra, voxel_size_m 0.2"));
+}
+
+TEST_F(HtmlReportTest, AFolderOfSomethingElseIsRefused) {
+  try {
+    page();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no result folder, expected scores.csv"));
+  }
+}
+
+}  // namespace
+}  // namespace hydrabench
