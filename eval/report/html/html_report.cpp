@@ -3,8 +3,8 @@
 #include "eval/report/html/html_report.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,10 +12,8 @@
 
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
-#include "eval/evaluation/csv.h"
 #include "eval/experiment/provenance.h"
 #include "eval/experiment/result_worlds.h"
-#include "eval/experiment/timing.h"
 #include "eval/report/html/csv_json.h"
 #include "eval/report/html/object_table.h"
 #include "eval/report/html/page.h"
@@ -140,12 +138,11 @@ class Writer {
     }
     if (level > 0) {
       remarks_.push_back(fmt::format(
-          "shapes have about {} faces, scenes {}, best views {} to keep the file below {:g} MB; "
-          "--max-mb raises that",
-          kDetails[level].object_faces, kDetails[level].scene_faces,
+          "scenes were coarsened to keep the file below {:g} MB: shapes of about {} faces, scene "
+          "meshes of {}, best views {}; --max-mb raises that",
+          options_.max_mb, kDetails[level].object_faces, kDetails[level].scene_faces,
           kDetails[level].picture_px > 0 ? fmt::format("{} pixels", kDetails[level].picture_px)
-                                         : "are left out",
-          options_.max_mb));
+                                         : "left out"));
     }
     return packed;
   }

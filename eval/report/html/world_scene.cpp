@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,7 +12,6 @@
 #include "core/parallel/parallel_for.h"
 #include "eval/report/html/blob.h"
 #include "eval/report/html/display_mesh.h"
-#include "eval/report/html/view_cuts.h"
 
 namespace hydrabench {
 namespace {
@@ -70,6 +68,21 @@ Json candidateOf(const ShapeCandidate& candidate, const LabelSpace& label_space)
 }
 
 }  // namespace
+
+/// What goes into the blobs, and where it is.
+struct WorldScene::Contents {
+  std::vector<PackedMesh> shapes;
+  std::vector<ShapePair> pairs;  ///< sorted
+  std::vector<PairDistances> distances;
+  std::vector<ViewCut> cuts;  ///< of the candidates of all methods; empty without pictures
+  std::size_t next_cut = 0;
+  BlobPool pool;      ///< shapes and distances
+  BlobPool pictures;  ///< JPEG and PNG files
+
+  Json shape(std::size_t number) {
+    return meshOf(shapes[number], pool.add(shapes[number].bytes).offset);
+  }
+};
 
 std::size_t WorldScene::Packed::bytes() const {
   std::size_t total = json.size();
@@ -157,29 +170,16 @@ double WorldScene::framePeriod() const {
 }
 
 WorldScene::Packed WorldScene::pack(const std::string& prefix, const SceneDetail& detail) const {
-  Packed result;
-  BlobPool pool;
-  const std::vector<PackedMesh> packed = packShapes(shapes_, detail.object_faces);
-  const auto shapeOf = [&](std::size_t shape) {
-    return meshOf(packed[shape], pool.add(packed[shape].bytes).offset);
-  };
-  std::vector<ShapePair> pairs;
+  Contents contents;
+  contents.shapes = packShapes(shapes_, detail.object_faces);
   for (const Method& method : methods_) {
-    for (const Match& match : matchesOf(method)) pairs.push_back(match.shapes);
+    for (const Match& match : matchesOf(method)) contents.pairs.push_back(match.shapes);
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  const std::vector<PairDistances> distances = pairDistances(shapes_, packed, pairs);
-
-  std::vector<CandidateView> views;
-  for (const Method& method : methods_) {
-    for (const ShapeCandidate& candidate : method.prediction.candidates) {
-      views.push_back({&candidate, &method.rmcc});
-    }
-  }
-  std::vector<ViewCut> cuts;
-  if (detail.picture_px > 0) cuts = viewCuts(*opened_.dataset, views, detail.picture_px);
-  BlobPool pictures;
+  std::sort(contents.pairs.begin(), contents.pairs.end());
+  contents.pairs.erase(std::unique(contents.pairs.begin(), contents.pairs.end()),
+                       contents.pairs.end());
+  contents.distances = pairDistances(shapes_, contents.shapes, contents.pairs);
+  if (detail.picture_px > 0) contents.cuts = cutsOf(detail.picture_px);
 
   Json json = {{"dataset", dataset_name_}, {"seed", seed_}, {"prefix", prefix}};
   json["path"] = pathOf(opened_.dataset->groundTruth().trajectory);
@@ -188,51 +188,19 @@ WorldScene::Packed WorldScene::pack(const std::string& prefix, const SceneDetail
     json["truths"].push_back({{"id", std::to_string(truths_[t]->id)},
                               {"name", truths_[t]->name},
                               {"class", opened_.dataset->labelSpace().nameOf(truths_[t]->label)},
-                              {"mesh", shapeOf(truth_shapes_[t])}});
+                              {"mesh", contents.shape(truth_shapes_[t])}});
   }
   json["methods"] = Json::array();
-  std::size_t next_view = 0;
   for (const Method& method : methods_) {
-    const SceneGraph& graph = method.prediction.graph;
-    Json objects = Json::array();
-    for (std::size_t i = 0; i < graph.objects.size(); ++i) {
-      const ObjectNode& node = graph.objects[i];
-      const std::string id = std::to_string(node.id);
-      objects.push_back({{"id", id},
-                         {"name", shortId(id)},
-                         {"class", graph.label_space.nameOf(node.label)},
-                         {"box", {vectorOf(node.box.min()), vectorOf(node.box.max())}},
-                         {"mesh", method.shapes[i] ? shapeOf(*method.shapes[i]) : Json()}});
-    }
-    Json matches = Json::array();
-    for (const Match& match : matchesOf(method)) {
-      const auto pair = std::lower_bound(pairs.begin(), pairs.end(), match.shapes);
-      const PairDistances& apart = distances[static_cast<std::size_t>(pair - pairs.begin())];
-      matches.push_back({{"object", match.object},
-                         {"truth", match.truth},
-                         {"on_estimate", pool.add(apart.on_estimate).offset},
-                         {"on_truth", pool.add(apart.on_truth).offset}});
-    }
-    Json candidates = Json::array();
-    for (const ShapeCandidate& candidate : method.prediction.candidates) {
-      Json row = candidateOf(candidate, graph.label_space);
-      const auto near = nearestTruth(candidate);
-      row["near"] = near ? Json(*near) : Json();
-      if (!cuts.empty()) {
-        const ViewCut& cut = cuts[next_view++];
-        row["color"] = pieceOf(pictures.add(cut.color));
-        row["parts"] = pieceOf(pictures.add(cut.parts));
-      }
-      candidates.push_back(std::move(row));
-    }
     json["methods"].push_back(
         {{"method", method.prediction.method},
          {"scene", method.scene && detail.scene_faces > 0 ? Json(*method.scene) : Json()},
-         {"objects", std::move(objects)},
-         {"matches", std::move(matches)},
-         {"candidates", std::move(candidates)}});
+         {"objects", objectsOf(method, contents)},
+         {"matches", matchesOf(method, contents)},
+         {"candidates", candidatesOf(method, contents)}});
   }
 
+  Packed result;
   json["scenes"] = Json::array();
   std::vector<PackedMesh> scenes(detail.scene_faces > 0 ? scenes_.size() : 0);
   parallelFor(scenes.size(), [&](std::size_t i) {
@@ -243,10 +211,65 @@ WorldScene::Packed WorldScene::pack(const std::string& prefix, const SceneDetail
     result.blobs.push_back(
         binary(fmt::format("{}-scene-{}.gz", prefix, i), gzipped(scenes[i].bytes)));
   }
-  result.blobs.push_back(binary(prefix + "-shapes.gz", gzipped(pool.bytes())));
-  result.blobs.push_back(binary(prefix + "-views", pictures.bytes()));
+  result.blobs.push_back(binary(prefix + "-shapes.gz", gzipped(contents.pool.bytes())));
+  result.blobs.push_back(binary(prefix + "-views", contents.pictures.bytes()));
   result.json = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return result;
+}
+
+std::vector<ViewCut> WorldScene::cutsOf(int size_px) const {
+  std::vector<CandidateView> views;
+  for (const Method& method : methods_) {
+    for (const ShapeCandidate& candidate : method.prediction.candidates) {
+      views.push_back({&candidate, &method.rmcc});
+    }
+  }
+  return viewCuts(*opened_.dataset, views, size_px);
+}
+
+nlohmann::ordered_json WorldScene::objectsOf(const Method& method, Contents& contents) {
+  const SceneGraph& graph = method.prediction.graph;
+  Json objects = Json::array();
+  for (std::size_t i = 0; i < graph.objects.size(); ++i) {
+    const ObjectNode& node = graph.objects[i];
+    const std::string id = std::to_string(node.id);
+    objects.push_back({{"id", id},
+                       {"name", shortId(id)},
+                       {"class", graph.label_space.nameOf(node.label)},
+                       {"box", {vectorOf(node.box.min()), vectorOf(node.box.max())}},
+                       {"mesh", method.shapes[i] ? contents.shape(*method.shapes[i]) : Json()}});
+  }
+  return objects;
+}
+
+nlohmann::ordered_json WorldScene::matchesOf(const Method& method, Contents& contents) const {
+  Json matches = Json::array();
+  for (const Match& match : matchesOf(method)) {
+    const auto pair = std::lower_bound(contents.pairs.begin(), contents.pairs.end(), match.shapes);
+    const PairDistances& apart =
+        contents.distances[static_cast<std::size_t>(pair - contents.pairs.begin())];
+    matches.push_back({{"object", match.object},
+                       {"truth", match.truth},
+                       {"on_estimate", contents.pool.add(apart.on_estimate).offset},
+                       {"on_truth", contents.pool.add(apart.on_truth).offset}});
+  }
+  return matches;
+}
+
+nlohmann::ordered_json WorldScene::candidatesOf(const Method& method, Contents& contents) const {
+  Json candidates = Json::array();
+  for (const ShapeCandidate& candidate : method.prediction.candidates) {
+    Json row = candidateOf(candidate, method.prediction.graph.label_space);
+    const auto near = nearestTruth(candidate);
+    row["near"] = near ? Json(*near) : Json();
+    if (!contents.cuts.empty()) {
+      const ViewCut& cut = contents.cuts[contents.next_cut++];
+      row["color"] = pieceOf(contents.pictures.add(cut.color));
+      row["parts"] = pieceOf(contents.pictures.add(cut.parts));
+    }
+    candidates.push_back(std::move(row));
+  }
+  return candidates;
 }
 
 }  // namespace hydrabench

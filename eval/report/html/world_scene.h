@@ -9,10 +9,13 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "eval/experiment/result_worlds.h"
 #include "eval/report/html/object_table.h"
 #include "eval/report/html/page.h"
 #include "eval/report/html/shape_set.h"
+#include "eval/report/html/view_cuts.h"
 
 namespace hydrabench {
 
@@ -56,7 +59,12 @@ class WorldScene {
     std::size_t truth = 0;
     ShapePair shapes;
   };
+  struct Contents;
   void load(const std::filesystem::path& path);
+  std::vector<ViewCut> cutsOf(int size_px) const;
+  static nlohmann::ordered_json objectsOf(const Method& method, Contents& contents);
+  nlohmann::ordered_json matchesOf(const Method& method, Contents& contents) const;
+  nlohmann::ordered_json candidatesOf(const Method& method, Contents& contents) const;
   std::vector<Match> matchesOf(const Method& method) const;
   std::optional<std::size_t> nearestTruth(const ShapeCandidate& candidate) const;
 

@@ -9,6 +9,23 @@ import path from "node:path";
 
 const [program, report, folder] = process.argv.slice(2);
 const faults = [];
+
+/** How varied the canvas is: colours in it, and the share of pixels unlike its first. */
+const pixels = `(() => {
+  const canvas = document.querySelector(".stage canvas");
+  const copy = document.createElement("canvas");
+  copy.width = 160; copy.height = 160;
+  copy.getContext("2d").drawImage(canvas, 0, 0, 160, 160);
+  const data = copy.getContext("2d").getImageData(0, 0, 160, 160).data;
+  const colors = new Set();
+  let other = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    colors.add(data[i] >> 3 << 10 | data[i + 1] >> 3 << 5 | data[i + 2] >> 3);
+    other += Math.abs(data[i] - data[0]) + Math.abs(data[i + 1] - data[1]) + Math.abs(data[i + 2] - data[2]) > 24;
+  }
+  return {colors: colors.size, share: other / (data.length / 4)};
+})()`;
+
 const check = (ok, text) => { if (!ok) faults.push(text); };
 fs.mkdirSync(folder, {recursive: true});
 
@@ -83,21 +100,6 @@ async function theObjects() {
   await browser.evaluate("document.querySelector('#page-objects tbody a').click()");
   await browser.until("!document.getElementById('page-scene').hidden && document.querySelector('.right h2')?.textContent === " + JSON.stringify(name));
 }
-
-const pixels = `(() => {
-  const canvas = document.querySelector(".stage canvas");
-  const copy = document.createElement("canvas");
-  copy.width = 160; copy.height = 160;
-  copy.getContext("2d").drawImage(canvas, 0, 0, 160, 160);
-  const data = copy.getContext("2d").getImageData(0, 0, 160, 160).data;
-  const colors = new Set();
-  let other = 0;
-  for (let i = 0; i < data.length; i += 4) {
-    colors.add(data[i] >> 3 << 10 | data[i + 1] >> 3 << 5 | data[i + 2] >> 3);
-    other += Math.abs(data[i] - data[0]) + Math.abs(data[i + 1] - data[1]) + Math.abs(data[i + 2] - data[2]) > 24;
-  }
-  return {colors: colors.size, share: other / (data.length / 4)};
-})()`;
 
 async function theScene() {
   await go("tab=scene&theme=light");

@@ -64,8 +64,8 @@ TEST(ObjectTable, NamesFileAndLineOfAShortRecord) {
 
 TEST(ObjectTable, IdsAreNeverNumbersOfJavaScript) {
   ObjectTable table;
-  table.worlds.push_back(
-      {"office", "1", {}, {{"a", {{.id = "5692549928996306944", .class_name = "bin"}}, {}, {}}}});
+  ObjectWorld& world = table.worlds.emplace_back();
+  world.methods.emplace_back().estimates.emplace_back().id = "5692549928996306944";
   EXPECT_THAT(objectsJson(table), HasSubstr(R"("id":"5692549928996306944")"));
   EXPECT_EQ(shortId("5692549928996306956"), "O12");
   EXPECT_EQ(shortId("42"), "42");

@@ -120,6 +120,7 @@ class SceneTab {
     const selected = this.selected();
     this.layers.show({...this.options, world: this.world, selected});
     this.viewer.cells = null;
+    this.tip.hidden = true;
     if (this.heating()) {
       const cells = heatmapCells(this.shapes, this.world, selected.truth, this.method(), this.options);
       if (cells.length > 0) this.viewer.cells = cells;
