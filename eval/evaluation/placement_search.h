@@ -52,14 +52,13 @@ struct Misplacement {
 /// so a mistake is claimed only if the changed prediction agrees
 ///  - three times as often as the given one, which may itself be moved by up to 1 m or one object's
 ///    diagonal, because methods that see one side of things are off by a constant;
-///  - in at least 6 pairs and a third of those possible; 8 and a half where the origin is free,
-///  which
-///    finds some coincidences in any layout; there also 1.5 times as often as any other offset
-///    (rows of equal desks fit when moved by one desk);
-///  - beyond chance: how often wrong offsets agree gives the chance of one pair; the binomial
-///    tail times the number of changes tried must be below 1e-4.
-/// With fewer than about eight objects nothing is claimed. Simpler changes win over combined ones
-/// unless those agree 1.5 times as often. nullopt: as it should be, or too bad to tell.
+///  - in at least 6 pairs and a third of those possible. Where the origin is free, which finds
+///    coincidences in any layout, in at least 8 and half of those possible, and 1.5 times as often
+///    as about any other origin (rows of equal desks fit when moved by one desk);
+///  - beyond chance: how often wrong offsets agree gives the chance of one pair; the binomial tail
+///    times the number of changes tried must be below 1e-4.
+/// Simpler changes win over combined ones unless those agree 1.5 times as often. nullopt: as it
+/// should be, or too bad or too small to tell.
 /// @param T_world_first_camera  true pose at the start; nullopt where unknown
 std::optional<Misplacement> findMisplacement(std::span<const PlacedObject> estimates,
                                              std::span<const PlacedObject> truths,

@@ -162,14 +162,41 @@ TEST_F(PlacementSearch, DoesNotAccuseAPredictionOfAnotherWorld) {
 }
 
 TEST_F(PlacementSearch, ClaimsNothingOfALayoutThatLooksTheSameElsewhere) {
-  // Fifteen chairs in a row, 2 m apart: moved by three chairs, and nobody can say by how many.
+  // A hundred chairs in a row, 2 m apart: moved off the row, and nobody can say by how many.
   truth_.objects.clear();
-  for (ObjectId i = 0; i < 15; ++i) {
+  for (ObjectId i = 0; i < 100; ++i) {
     truth_.objects.push_back(
         standingBox(i, kChair, 2.0 * static_cast<double>(i), 0, {0.6, 0.6, 0.9}));
   }
-  auto estimates = changed(placed(truth_), kIdentity, {31, 0, 0});
+  EXPECT_FALSE(find(changed(placed(truth_), kIdentity, {0, 31, 0})));
+}
+
+TEST_F(PlacementSearch, ClaimsNothingWhereAPartStandsAsItShould) {
+  // 7 of 24 stand as they should, 17 are moved alike: less than three times as many.
+  auto estimates = placed(truth_);
+  for (std::size_t i = 7; i < estimates.size(); ++i) {
+    estimates[i].center += Eigen::Vector3d(3, -4, 0);
+  }
   EXPECT_FALSE(find(estimates));
+}
+
+TEST_F(PlacementSearch, ClaimsNothingThatChanceExplains) {
+  // Chairs so dense that a point among them is near one every other time; ten estimates are beside
+  // them, where mirrors and turns bring them among the chairs.
+  truth_.objects.clear();
+  Random random(2);
+  for (ObjectId i = 0; i < 150; ++i) {
+    truth_.objects.push_back(standingBox(i, kChair, 0.8 * static_cast<double>(i % 15),
+                                         0.8 * static_cast<double>(i / 15) + random.uniform(0, 0.2),
+                                         {0.6, 0.6, 0.9}));
+  }
+  for (int trial = 0; trial < 40; ++trial) {
+    std::vector<PlacedObject> estimates;
+    for (int i = 0; i < 10; ++i) {
+      estimates.push_back({kChair, {random.uniform(-11, -2), random.uniform(0, 7.5), 0.45}, 0.6});
+    }
+    EXPECT_FALSE(find(estimates)) << trial;
+  }
 }
 
 TEST_F(PlacementSearch, ClaimsNothingOfAHandfulOfObjects) {
