@@ -107,7 +107,8 @@ class JsonField {
   std::string place_;
 };
 
-/// Parses a file; a syntax error is one line with the place in the file.
+/// Parses a file; a syntax error is one line with the place in the file. NaN and Infinity, which
+/// many writers leave without a word, become strings: number() then complains with the field.
 nlohmann::json parseJsonFile(const std::filesystem::path& path);
 
 }  // namespace hydrabench

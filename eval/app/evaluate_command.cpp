@@ -16,6 +16,7 @@
 #include "eval/app/evaluation_setup.h"
 #include "eval/app/progress.h"
 #include "eval/app/remarks.h"
+#include "eval/evaluation/submission_check.h"
 #include "eval/report/comparison_table.h"
 #include "eval/report/result_folder.h"
 
@@ -28,7 +29,23 @@ struct Options {
   std::filesystem::path out;
   std::vector<std::string> overrides;
   bool replace = false;
+  bool as_is = false;
 };
+
+/// Mistakes in how a prediction was written down are told before anything is scored.
+void requireSound(const Prediction& prediction, const std::filesystem::path& path,
+                  const Dataset& dataset, bool as_is) {
+  for (const SubmissionFinding& finding :
+       checkSubmission(dataset.labelSpace(), dataset.groundTruth(), prediction)) {
+    if (finding.verdict == SubmissionFinding::Verdict::kPass) continue;
+    const std::string line =
+        fmt::format("{}: {}: {}", path.string(), finding.topic, finding.message);
+    if (finding.verdict == SubmissionFinding::Verdict::kFail && !as_is) {
+      throw InputError(line + " (--as-is scores it as it stands)");
+    }
+    fmt::print(stderr, "{}\n", line);
+  }
+}
 
 /// Ids are trusted; where the names behind them differ, two numberings were mixed up.
 void warnOfOtherNames(const Prediction& prediction, const LabelSpace& label_space) {
@@ -60,6 +77,10 @@ int evaluate(const Options& options) {
                                  options.dataset.string()));
   }
 
+  for (std::size_t i = 0; i < predictions.size(); ++i) {
+    requireSound(predictions[i], options.predictions[i], dataset, options.as_is);
+  }
+
   Result result;
   result.config = setup.resolved_config;
   result.evaluation = setup.evaluation;
@@ -69,7 +90,9 @@ int evaluate(const Options& options) {
   Progress progress("evaluate", predictions.size());
   for (const Prediction& prediction : predictions) {
     warnOfOtherNames(prediction, dataset.labelSpace());
-    result.evaluations.push_back(evaluator.evaluate(prediction));
+    result.evaluations.push_back(
+        evaluator.evaluate(prediction, options.as_is ? Evaluator::OtherUnits::kScoredAsIs
+                                                     : Evaluator::OtherUnits::kRefused));
     for (const std::string& note : prediction.notes) {
       result.notes.push_back(methodLabel(prediction.method) + ": " + note);
     }
@@ -101,11 +124,17 @@ Command addEvaluate(CLI::App& app) {
       ->required()
       ->type_name("RESULT");
   app.add_flag("--replace", options->replace, "replace the result folder if it exists");
+  app.add_flag(
+      "--as-is", options->as_is,
+      "score a prediction that is plainly in another unit, frame or numbering all the same");
   addOverrides(app, options->overrides, "evaluation.voxel_pitch_m=0.0375");
   app.footer(
       "Example:\n"
       "  hydrabench evaluate hydra_run/ khronos_run/ --dataset configs/datasets/office.yaml --out "
       "results/mine\n"
+      "A prediction in millimetres, with other axes, about another origin or with other labels is "
+      "refused with one\nline that says how to mend it; hydrabench selftest --check looks for the "
+      "same without scoring.\n"
       "docs/metrics.md defines every number, docs/extend.md the files of a prediction.");
   return [options] { return evaluate(*options); };
 }

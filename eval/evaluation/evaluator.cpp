@@ -11,6 +11,7 @@
 
 #include "core/parallel/parallel_for.h"
 #include "core/types/error.h"
+#include "eval/evaluation/median.h"
 #include "eval/evaluation/method_scores.h"
 
 namespace hydrabench {
@@ -51,9 +52,19 @@ PairScores scoresOf(const ScoredObject& estimate, const ObjectModel& estimate_mo
 double medianHalfDiagonal(const std::vector<ScoredObject>& objects) {
   std::vector<double> sizes;
   for (const ScoredObject& object : objects) sizes.push_back(object.detection.half_diagonal);
-  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
-                   sizes.end());
-  return sizes[sizes.size() / 2];
+  return median(std::move(sizes));
+}
+
+/// Matching, means and voxels have no answer to a place that is not a number.
+void requireFinite(const std::string& method, const ObjectNode& node) {
+  const auto finite = [](const Eigen::Vector3d& v) { return v.allFinite(); };
+  const bool good = node.mesh.vertices.empty()
+                        ? node.box.isEmpty() || (finite(node.box.min()) && finite(node.box.max()))
+                        : std::all_of(node.mesh.vertices.begin(), node.mesh.vertices.end(), finite);
+  if (good) return;
+  throw InputError(
+      fmt::format("prediction '{}': object {} '{}': a coordinate is not a finite number", method,
+                  node.id, node.name));
 }
 
 void requireSameUnits(const std::string& method, const std::vector<ScoredObject>& estimates,
@@ -71,8 +82,16 @@ void requireSameUnits(const std::string& method, const std::vector<ScoredObject>
 }  // namespace
 
 Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpace& label_space,
-                     const GroundTruth& truth, const EvaluationConfig& config)
-    : dataset_name_(std::move(dataset_name)), seed_(std::move(seed)), config_(config) {
+                     const GroundTruth& truth, const EvaluationConfig& config, ModelSource models)
+    : dataset_name_(std::move(dataset_name)),
+      seed_(std::move(seed)),
+      config_(config),
+      models_(std::move(models)) {
+  if (!models_) {
+    models_ = [config](Mesh mesh, ObjectModel::Role role) {
+      return std::make_shared<const ObjectModel>(std::move(mesh), role, config.modelConfig());
+    };
+  }
   counting_.label_space = label_space;
   std::vector<const GroundTruthObject*> objects;
   std::vector<const LabelSpace::Entry*> entries;
@@ -83,12 +102,11 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
     entries.push_back(entry);
   }
   std::vector<ScoredObject> all(objects.size());
-  std::vector<std::shared_ptr<const ObjectModel>> models(objects.size());
+  std::vector<std::shared_ptr<const ObjectModel>> prepared(objects.size());
   parallelFor(objects.size(), [&](std::size_t i) {
     const GroundTruthObject& object = *objects[i];
     auto model =
-        std::make_shared<const ObjectModel>(transformed(object.T_world_object, *object.mesh),
-                                            ObjectModel::Role::kTruth, config_.modelConfig());
+        models_(transformed(object.T_world_object, *object.mesh), ObjectModel::Role::kTruth);
     if (!model->hasSurface()) {
       throw InputError(
           fmt::format("dataset '{}': ground truth '{}': mesh without a surface, expected triangles",
@@ -98,12 +116,12 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
     all[i].subtype = object.subtype;
     all[i].room = object.room;
     all[i].visible_fraction = object.visible_fraction;
-    models[i] = std::move(model);
+    prepared[i] = std::move(model);
   });
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i]->scored && objects[i]->visible_fraction >= config_.min_visible_fraction) {
       truths_.push_back(std::move(all[i]));
-      truth_models_.push_back(std::move(models[i]));
+      truth_models_.push_back(std::move(prepared[i]));
     } else {
       counting_.ignored.push_back(all[i].detection);
     }
@@ -120,7 +138,7 @@ Counting countingOf(const MethodEvaluation& evaluation) {
   return {evaluation.label_space, detections(evaluation.truths), evaluation.ignored};
 }
 
-MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
+MethodEvaluation Evaluator::evaluate(const Prediction& prediction, OtherUnits other_units) const {
   MethodEvaluation evaluation;
   evaluation.dataset = dataset_name_;
   evaluation.seed = seed_;
@@ -139,11 +157,11 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
     entries.push_back(entry);
   }
   std::vector<ScoredObject> all(nodes.size());
-  std::vector<std::unique_ptr<const ObjectModel>> models(nodes.size());
+  std::vector<std::shared_ptr<const ObjectModel>> models(nodes.size());
   parallelFor(nodes.size(), [&](std::size_t i) {
     const ObjectNode& node = *nodes[i];
-    models[i] = std::make_unique<const ObjectModel>(node.mesh, ObjectModel::Role::kEstimate,
-                                                    config_.modelConfig());
+    requireFinite(prediction.method, node);
+    models[i] = models_(node.mesh, ObjectModel::Role::kEstimate);
     const Aabb& box = node.mesh.empty() ? node.box : models[i]->box();
     if (box.isEmpty()) {
       throw InputError(
@@ -163,7 +181,9 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction) const {
   evaluation.estimates_without_mesh = static_cast<std::size_t>(
       std::count_if(evaluation.estimates.begin(), evaluation.estimates.end(),
                     [](const ScoredObject& object) { return !object.has_surface; }));
-  requireSameUnits(prediction.method, evaluation.estimates, evaluation.truths);
+  if (other_units == OtherUnits::kRefused) {
+    requireSameUnits(prediction.method, evaluation.estimates, evaluation.truths);
+  }
   const std::vector<DetectionObject> estimates = detections(evaluation.estimates);
 
   const std::vector<ThresholdMatches> matches =

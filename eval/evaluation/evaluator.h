@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -81,13 +82,21 @@ Counting countingOf(const MethodEvaluation& evaluation);
 /// Ground truth prepared once for scoring any number of predictions against it.
 class Evaluator {
  public:
-  /// Throws InputError if no object of the ground truth counts, and for one without a surface.
-  Evaluator(std::string dataset_name, std::string seed, const LabelSpace& label_space,
-            const GroundTruth& truth, const EvaluationConfig& config);
+  /// Prepares a mesh with the evaluator's config; called from several threads.
+  using ModelSource = std::function<std::shared_ptr<const ObjectModel>(Mesh, ObjectModel::Role)>;
 
-  /// Throws InputError for a prediction that is plainly in other units (millimetres), and for an
-  /// object with neither mesh nor box.
-  MethodEvaluation evaluate(const Prediction& prediction) const;
+  /// Throws InputError if no object of the ground truth counts, and for one without a surface.
+  /// @param models  empty: every mesh is prepared when it comes. For whoever scores the same meshes
+  ///                thousands of times.
+  Evaluator(std::string dataset_name, std::string seed, const LabelSpace& label_space,
+            const GroundTruth& truth, const EvaluationConfig& config, ModelSource models = {});
+
+  enum class OtherUnits { kRefused, kScoredAsIs };
+  /// Throws InputError for a prediction that is plainly in other units (millimetres) unless told to
+  /// score it as it is, for a coordinate that is not finite, and for an object with neither mesh
+  /// nor box.
+  MethodEvaluation evaluate(const Prediction& prediction,
+                            OtherUnits other_units = OtherUnits::kRefused) const;
 
   const std::vector<ScoredObject>& truths() const { return truths_; }
 
@@ -95,6 +104,7 @@ class Evaluator {
   std::string dataset_name_;
   std::string seed_;
   EvaluationConfig config_;
+  ModelSource models_;
   std::vector<ScoredObject> truths_;
   std::vector<std::shared_ptr<const ObjectModel>> truth_models_;
   Counting counting_;

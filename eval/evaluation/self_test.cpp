@@ -11,42 +11,25 @@
 #include <fmt/format.h>
 
 #include "core/graph/spark_dsg_json.h"
-#include "core/types/random.h"
+#include "core/io/atomic_file.h"
+#include "core/types/error.h"
+#include "eval/evaluation/damage_checks.h"
+#include "eval/evaluation/order_check.h"
 #include "eval/oracles/ground_truth_prediction.h"
 
 namespace hydrabench {
 namespace {
 
-/// Rows of a metric that are not `expected`, as "n of m, e.g. ..."; empty if all are.
-std::string wrongRows(const MethodEvaluation& evaluation, const std::string& metric,
-                      const std::string& matching, std::optional<double> expected) {
-  std::size_t wrong = 0;
-  std::size_t total = 0;
-  std::string example;
-  for (const ScoreRow& row : evaluation.scores) {
-    if (row.metric != metric || (!matching.empty() && row.matching != matching)) continue;
-    ++total;
-    if (row.value == expected) continue;
-    if (wrong++ == 0) {
-      example =
-          fmt::format("{} {} at {} {}: {}", row.matching, row.class_name, row.threshold_kind,
-                      row.threshold.value_or(0), row.value ? fmt::format("{}", *row.value) : "n/a");
-    }
-  }
-  if (total == 0) return fmt::format("{}: no rows", metric);
-  return wrong == 0
-             ? ""
-             : fmt::format("{}: {} of {} rows differ, e.g. {}", metric, wrong, total, example);
-}
-
 class SelfTest {
  public:
   SelfTest(std::string dataset_name, std::string seed, const LabelSpace& label_space,
-           const EvaluationConfig& config, std::function<void(const SelfTestCheck&)> on_check)
+           const EvaluationConfig& config, std::size_t shuffles,
+           std::function<void(const SelfTestCheck&)> on_check)
       : dataset_name_(std::move(dataset_name)),
         seed_(std::move(seed)),
         label_space_(label_space),
         config_(config),
+        shuffles_(shuffles),
         on_check_(std::move(on_check)) {}
 
   SelfTestReport run(const GroundTruth& truth) {
@@ -57,8 +40,11 @@ class SelfTest {
     checkGroundTruth(report_.ground_truth);
     checkSamplingFloor();
     checkOpenMeshes(truth);
-    checkDamaged(Evaluator(dataset_name_, seed_, label_space_, truth, quickConfig()), perfect);
+    const EvaluationConfig quick = quickConfig();
+    checkDamaged(Evaluator(dataset_name_, seed_, label_space_, truth, quick), quick, label_space_,
+                 truth, perfect, add_);
     checkOrder(evaluator, perfect);
+    checkShuffles(dataset_name_, seed_, label_space_, truth, config_, shuffles_, add_);
     checkFiles(evaluator, perfect);
     return std::move(report_);
   }
@@ -186,51 +172,9 @@ class SelfTest {
                  "meshes cut open, against themselves");
   }
 
-  void checkDamaged(const Evaluator& evaluator, const Prediction& perfect) {
-    Prediction empty = perfect;
-    empty.graph.objects.clear();
-    const MethodEvaluation nothing = evaluator.evaluate(empty);
-    std::string fault = wrongRows(nothing, "precision", "", std::nullopt);
-    if (fault.empty()) fault = wrongRows(nothing, "recall", "", 0.0);
-    if (fault.empty()) fault = wrongRows(nothing, "v_iou_solid_all_gt", "", 0.0);
-    add("an empty prediction: P undefined, R = 0, V-IoU over all ground truth = 0", fault);
-
-    Prediction doubled = perfect;
-    for (const ObjectNode& node : perfect.graph.objects) {
-      doubled.graph.objects.push_back(node);
-      doubled.graph.objects.back().id = objectNodeId(doubled.graph.objects.size());
-    }
-    const MethodEvaluation twice = evaluator.evaluate(doubled);
-    fault = wrongRows(twice, "precision", kMatchingExists, 1.0);
-    if (fault.empty()) fault = wrongRows(twice, "precision", kMatchingOneToOne, 0.5);
-    if (fault.empty()) fault = wrongRows(twice, "recall", "", 1.0);
-    add("everything twice: P stays 1 under exists and halves under one_to_one", fault);
-
-    double lift_m = 100;
-    for (const double tau : config_.thresholds_m) lift_m = std::max(lift_m, 2 * tau);
-    for (const ScoredObject& object : evaluator.truths()) {
-      for (const double kappa : config_.kappas) {
-        lift_m = std::max(lift_m, 2 * kappa * object.detection.half_diagonal);
-      }
-    }
-    Prediction lifted = perfect;
-    for (ObjectNode& node : lifted.graph.objects) {
-      for (Eigen::Vector3d& vertex : node.mesh.vertices) vertex.z() += lift_m;
-      node.box.translate(Eigen::Vector3d(0, 0, lift_m));
-    }
-    add("everything far too high: R = 0", wrongRows(evaluator.evaluate(lifted), "recall", "", 0.0));
-  }
-
   void checkOrder(const Evaluator& evaluator, const Prediction& perfect) {
     Prediction shuffled = perfect;
-    Random random(config_.seed, 17);
-    for (std::size_t i = shuffled.graph.objects.size(); i > 1; --i) {
-      std::swap(shuffled.graph.objects[i - 1],
-                shuffled.graph.objects[random.index(static_cast<std::uint32_t>(i))]);
-    }
-    for (std::size_t i = 0; i < shuffled.graph.objects.size(); ++i) {
-      shuffled.graph.objects[i].id = objectNodeId(1000 + i);
-    }
+    shuffle(shuffled, config_.seed, 17);
     add("objects in another order under other ids: not a byte of scores.csv changes",
         scoresCsv(evaluator.evaluate(shuffled).scores) == scoresCsv(report_.ground_truth.scores)
             ? ""
@@ -248,16 +192,40 @@ class SelfTest {
     } const scratch;
     writePrediction(scratch.path, perfect);
     const Prediction back = readPrediction(scratch.path);
+    checkNanInFile(scratch.path / "scene_graph.json");
     add("written as scene_graph.json and read back: not a byte of scores.csv changes",
         scoresCsv(evaluator.evaluate(back).scores) == scoresCsv(report_.ground_truth.scores)
             ? ""
             : "scores.csv differs");
   }
 
+  /// Python's json writes NaN without a word; reading must say whose it is.
+  void checkNanInFile(const std::filesystem::path& file) {
+    std::string text = readFile(file);
+    const std::string points = "\"points\":[[";
+    const std::size_t number = text.rfind(points) + points.size();
+    text.replace(number, text.find_first_of(",]", number) - number, "NaN");
+    writeFileAtomic(file, text);
+    std::string fault = "read without a word";
+    std::string seen;
+    try {
+      readPrediction(file);
+    } catch (const InputError& error) {
+      seen = std::string(error.what()).substr(file.string().size() + 2);
+      fault = seen.find("node ") != std::string::npos && seen.find("points") != std::string::npos
+                  ? ""
+                  : seen;
+    }
+    add("NaN in a scene_graph.json: refused with the name of the node", fault, seen);
+  }
+
   std::string dataset_name_;
   std::string seed_;
   const LabelSpace& label_space_;
   EvaluationConfig config_;
+  std::size_t shuffles_;
+  AddCheck add_ = [this](const std::string& claim, const std::string& fault,
+                         const std::string& seen) { add(claim, fault, seen); };
   std::function<void(const SelfTestCheck&)> on_check_;
   SelfTestReport report_;
 };
@@ -271,9 +239,9 @@ bool SelfTestReport::passed() const {
 
 SelfTestReport runSelfTest(const std::string& dataset_name, const std::string& seed,
                            const LabelSpace& label_space, const GroundTruth& truth,
-                           const EvaluationConfig& config,
+                           const EvaluationConfig& config, std::size_t shuffles,
                            const std::function<void(const SelfTestCheck&)>& on_check) {
-  return SelfTest(dataset_name, seed, label_space, config, on_check).run(truth);
+  return SelfTest(dataset_name, seed, label_space, config, shuffles, on_check).run(truth);
 }
 
 }  // namespace hydrabench

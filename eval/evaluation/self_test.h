@@ -6,16 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "eval/evaluation/evaluator.h"
+#include "eval/evaluation/self_test_check.h"
 
 namespace hydrabench {
-
-/// One thing that must hold for any dataset, whatever it contains.
-struct SelfTestCheck {
-  std::string claim;
-  bool passed = false;
-  std::string detail;  ///< what was seen
-};
 
 struct SelfTestReport {
   std::vector<SelfTestCheck> checks;
@@ -26,11 +19,12 @@ struct SelfTestReport {
 
 /// Scores ground truth, and predictions made from it by known damage, against ground truth: the
 /// right answer is known for each. Shows that measures, meshes and files of a dataset can be
-/// trusted before a method is scored on it.
+/// trusted before a method is scored on it. damage_checks.h says what each damage must score.
+/// @param shuffles  how often order and ids are drawn anew (order_check.h)
 /// @param on_check  called after each check
 SelfTestReport runSelfTest(const std::string& dataset_name, const std::string& seed,
                            const LabelSpace& label_space, const GroundTruth& truth,
-                           const EvaluationConfig& config,
+                           const EvaluationConfig& config, std::size_t shuffles = 1,
                            const std::function<void(const SelfTestCheck&)>& on_check = {});
 
 }  // namespace hydrabench

@@ -84,7 +84,11 @@ TEST_F(SparkDsgFaults, FaceOutOfRange) {
 TEST_F(SparkDsgFaults, NumbersThatAreNone) {
   EXPECT_EQ(faultOf("[0.25, -0.25, -0.5]", "[0.25, null, -0.5]"),
             kNode + "attributes.mesh.points[1][1]: expected a number, found null");
-  EXPECT_THAT(faultOf("[0.25, -0.25, -0.5]", "[0.25, NaN, -0.5]"), StartsWith("not valid JSON: "));
+  for (const std::string word : {"NaN", "-Infinity", "nan", "-inf"}) {
+    EXPECT_EQ(faultOf("[0.25, -0.25, -0.5]", "[0.25, " + word + ", -0.5]"),
+              kNode + "attributes.mesh.points[1][1]: expected a number, found \"" + word + "\"");
+  }
+  EXPECT_THAT(faultOf("[0.25, -0.25, -0.5]", "[0.25, NaN, -0.5"), StartsWith("not valid JSON: "));
   EXPECT_THAT(faultOf("[0.25, -0.25, -0.5]", "[0.25, 1e999, -0.5]"),
               StartsWith("not valid JSON: number overflow"));
   EXPECT_EQ(faultOf("\"position\": [1.0, 2.0, 0.5]", "\"position\": [1.0, 2.0]"),

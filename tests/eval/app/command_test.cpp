@@ -309,6 +309,68 @@ TEST_F(Command, SuggestsTheConfigKeyThatWasMeant) {
               "did you mean seed?");
 }
 
+/// Three chairs known by their boxes, in the place and unit that is given.
+std::string threeChairs(double metre, double x_m) {
+  std::string nodes;
+  for (int i = 0; i < 3; ++i) {
+    nodes += fmt::format(
+        R"({}{{"id": {}, "layer": 2, "partition": 0, "attributes": {{"type": "KhronosObjectAttributes",
+        "position": [{}, {}, {}], "name": "chair_{}", "semantic_label": 5, "bounding_box": {{"type": "AABB",
+        "dimensions": [{}, {}, {}], "world_P_center": [{}, {}, {}],
+        "world_R_center": {{"w": 1, "x": 0, "y": 0, "z": 0}}}}}}}})",
+        i == 0 ? "" : ",", 5692549928996306944 + i, metre * x_m, metre * i, metre / 2, i,
+        0.5 * metre, 0.5 * metre, metre, metre * x_m, metre * i, metre / 2);
+  }
+  return fmt::format(
+      R"({{"SPARK_DSG_header": {{"project_name": "main", "version": {{"major": 1, "minor": 1, "patch": 3}}}},
+      "layer_names": {{"OBJECTS": {{"layer": 2, "partition": 0}}}}, "nodes": [{}], "edges": []}})",
+      nodes);
+}
+
+TEST_F(Command, TellsMillimetresBeforeItScoresThem) {
+  writeText(folder_ / "mine/scene_graph.json", threeChairs(1000, 2));
+  const std::string evaluate =
+      fmt::format("evaluate {} --dataset {} --out {} --set evaluation.samples=100", path("mine"),
+                  kWorld, path("result"));
+  expectFault(evaluate, "mine: unit, axes and origin: positions and meshes in millimetres");
+  expectFault(evaluate, "(--as-is scores it as it stands)");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "result"));
+
+  const Outcome checked = run(fmt::format("selftest {} --check {}", kWorld, path("mine")));
+  EXPECT_EQ(checked.exit_code, 1);
+  EXPECT_THAT(checked.out, HasSubstr("  FAIL  unit, axes and origin (positions and meshes in"));
+  EXPECT_THAT(checked.out, HasSubstr("check FAILED for 1 of 1 predictions"));
+
+  const Outcome scored = run(evaluate + " --as-is");
+  EXPECT_EQ(scored.exit_code, 0) << scored.err;
+  EXPECT_THAT(scored.err, HasSubstr("in millimetres"));
+  EXPECT_THAT(readText(folder_ / "result/scores.csv"), HasSubstr("exists,found_truths,0,"));
+}
+
+TEST_F(Command, ChecksEveryPredictionAndAccusesOnlyTheBroken) {
+  writeText(folder_ / "poor/scene_graph.json", threeChairs(1, 90));
+  std::string broken = threeChairs(1, 2);
+  broken.replace(broken.find("[2, 1, 0.5]"), 11, "[2, NaN, 0.5]");
+  writeText(folder_ / "broken/scene_graph.json", broken);
+  const Outcome poor = run(fmt::format("selftest {} --check {}", kWorld, path("poor")));
+  EXPECT_EQ(poor.exit_code, 0) << poor.out << poor.err;
+  EXPECT_THAT(poor.out, HasSubstr("check passed"));
+  const Outcome both =
+      run(fmt::format("selftest {} --check {} {}", kWorld, path("broken"), path("poor")));
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_THAT(both.out, HasSubstr("FAIL  readable ("));
+  EXPECT_THAT(both.out, HasSubstr("(O1): attributes.position[1]: expected a number, found"));
+  EXPECT_THAT(both.out, HasSubstr("check FAILED for 1 of 2 predictions"));
+}
+
+TEST_F(Command, RefusesMisspeltOptionsOfTheChecks) {
+  expectFault("selftest " + kWorld + " --shufles 3", "did you mean '--shuffles'?");
+  expectFault("selftest " + kWorld + " --shuffles 0", "--shuffles");
+  expectFault("selftest " + kWorld + " --shuffles 3 --check x", "--check");
+  expectFault("selftest " + kWorld + " --chek x", "did you mean '--check'?");
+  expectFault("evaluate x --dataset " + kWorld + " --out y --as-iss", "did you mean '--as-is'?");
+}
+
 TEST_F(Command, NamesAMissingDataset) { expectFault("selftest nowhere.yaml", "nowhere.yaml"); }
 
 TEST_F(Command, WantsPrefixedOverridesWhereThereAreTwoConfigs) {

@@ -3,6 +3,7 @@
 #include "eval/evaluation/evaluator.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -177,6 +178,24 @@ TEST(Evaluator, RefusesMillimetres) {
   EXPECT_NE(message.find("1000 times as large"), std::string::npos) << message;
 }
 
+TEST(Evaluator, ScoresMillimetresAsTheyAreWhereTold) {
+  const GroundTruth truth = row();
+  Prediction prediction = predicted(truth, 0);
+  for (ObjectNode& node : prediction.graph.objects) node.mesh = scaled(1000, node.mesh);
+  const MethodEvaluation evaluation =
+      evaluator(truth).evaluate(prediction, Evaluator::OtherUnits::kScoredAsIs);
+  EXPECT_EQ(value(evaluation, "recall", kAllMicro), 0.0);
+}
+
+TEST(Evaluator, RefusesACoordinateThatIsNotANumber) {
+  const GroundTruth truth = row();
+  Prediction prediction = predicted(truth, 0);
+  prediction.graph.objects[2].mesh.vertices[1].y() = std::nan("");
+  const std::string message = messageOf<InputError>([&] { evaluator(truth).evaluate(prediction); });
+  EXPECT_NE(message.find("'object_2': a coordinate is not a finite number"), std::string::npos)
+      << message;
+}
+
 TEST(Evaluator, RefusesGroundTruthWithoutAnythingThatCounts) {
   GroundTruth truth;
   truth.objects.push_back(cube(0, kDesk, 0));
@@ -232,7 +251,7 @@ TEST(SelfTest, PassesOnSoundGroundTruth) {
   const SelfTestReport report = runSelfTest("row", "1", labels(), row(), quickConfig());
   for (const SelfTestCheck& check : report.checks)
     EXPECT_TRUE(check.passed) << check.claim << ": " << check.detail;
-  EXPECT_GE(report.checks.size(), 14u);
+  EXPECT_GE(report.checks.size(), 27u);
 }
 
 TEST(SelfTest, FailsWhereTwoObjectsOfAClassStandInOnePlace) {
