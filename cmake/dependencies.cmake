@@ -13,6 +13,7 @@ find_package(TBB REQUIRED)
 find_package(CGAL 5.5 REQUIRED QUIET)
 include(CGAL_Eigen3_support)
 find_package(OpenMesh REQUIRED CONFIG)
+find_package(meshoptimizer REQUIRED CONFIG)
 find_package(flann REQUIRED CONFIG)
 # FLANN's headers call LZ4, which its own CMake target forgets.
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)

@@ -3,6 +3,8 @@
 #include "eval/report/html/sweep_data.h"
 
 #include <algorithm>
+#include <sstream>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -34,6 +36,24 @@ std::vector<fs::path> filesIn(const fs::path& folder, const std::string& prefix,
   return files;
 }
 
+/// The titles of the axes, which stand in config.yaml as `sweep` writes it: above the experiment.
+void readTitles(const fs::path& config, SweepScores& sweep) {
+  constexpr std::string_view kName = "  - name: ";
+  constexpr std::string_view kTitle = "    title: ";
+  if (!fs::exists(config)) return;
+  std::istringstream lines(readFile(config));
+  std::string axis;
+  for (std::string line; std::getline(lines, line) && line != "experiment:";) {
+    if (line.starts_with(kName)) axis = line.substr(kName.size());
+    if (!line.starts_with(kTitle)) continue;
+    std::string title = line.substr(kTitle.size());
+    if (title.size() > 1 && title.front() == '"') title = title.substr(1, title.size() - 2);
+    for (SweepScores::Axis& known : sweep.axes) {
+      if (known.name == axis && !title.empty()) known.title = title;
+    }
+  }
+}
+
 Json gridOf(const SweepScores& sweep) {
   Json json;
   json["table"] = Json::parse(tableJson(sweepTable(sweep), kAllMicro));
@@ -55,7 +75,10 @@ std::string sweepJson(const fs::path& result) {
   const fs::path scores = result / "scores.csv";
   Json json;
   if (fs::exists(scores)) {
-    if (const auto sweep = readSweepCsv(scores)) json = gridOf(*sweep);
+    if (auto sweep = readSweepCsv(scores)) {
+      readTitles(result / "config.yaml", *sweep);
+      json = gridOf(*sweep);
+    }
   } else {
     for (const fs::path& file : filesIn(result, "tau_o_", ".csv")) {
       json["tables"].push_back(

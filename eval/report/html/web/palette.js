@@ -16,7 +16,9 @@ export const isBound = (name) => json("methods").find((method) => method.name ==
 export const cssColor = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 export const swatch = (name) => h("span", {class: "swatch" + (isBound(name) ? " bound" : ""), style: "--c:" + methodVariable(name)});
-export const methodTag = (name) => h("span", {class: "method"}, swatch(name), methodLabel(name));
+const isKnown = (name) => json("methods").some((method) => method.name === name);
+/** Rows of a sweep are no methods of their own: they have no colour. */
+export const methodTag = (name) => h("span", {class: "method"}, isKnown(name) && swatch(name), methodLabel(name));
 
 /** Classes have colours of their own, from the other end of the list. */
 export function classColor(name, classes) {

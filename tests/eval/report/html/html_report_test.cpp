@@ -58,9 +58,12 @@ TEST_F(HtmlReportTest, ASweepHasItsPlotsAndItsTable) {
   const SweepScores sweep = {{{"voxel_size_m", "voxel size [m]"}},
                              {{{"0.1"}, {row("hydra", 0.5)}}, {{"0.2"}, {row("hydra", 0.25)}}}};
   writeText(folder_ / "scores.csv", sweepCsv(sweep));
+  writeText(folder_ / "config.yaml",
+            "axes:\n  - name: voxel_size_m\n    title: \"voxel size [m]\"\nexperiment:\n");
   const std::string text = page();
   EXPECT_THAT(text, HasSubstr(R"("points":[[0.1,0.5],[0.2,0.25]])"));
   EXPECT_THAT(text, HasSubstr("Hydra, voxel_size_m 0.2"));
+  EXPECT_THAT(text, HasSubstr(R"("x_label":"voxel size [m]")"));
 }
 
 TEST_F(HtmlReportTest, AFolderOfSomethingElseIsRefused) {
