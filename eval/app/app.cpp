@@ -27,8 +27,9 @@ struct CommandEntry {
 // The order is that of a first session: check, look, export, score, print.
 constexpr CommandEntry kCommands[] = {
     {"doctor", "say what this build can do here and what is missing", addDoctor, true},
-    {"selftest", "score ground truth against itself: every measure must be perfect", addSelftest,
-     true},
+    {"selftest",
+     "score ground truth against itself and known damage; check predictions for mistakes",
+     addSelftest, true},
     {"view", "render a dataset, a prediction or the shape families to PNG", addView, true},
     {"export", "write a dataset as a plain folder of images, poses and ground-truth meshes",
      addExport, true},

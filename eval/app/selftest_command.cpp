@@ -134,7 +134,7 @@ Command addSelftest(CLI::App& app) {
       ->excludes("--out")
       ->excludes("--prediction")
       ->excludes("--shuffles")
-      ->type_name("PREDICTION...");
+      ->type_name("PREDICTION");
   addOverrides(app, options->overrides, "dataset.seed=7");
   app.footer(
       "Examples:\n"

@@ -224,7 +224,7 @@ class DamageChecks {
     node = static_cast<std::size_t>(scored - nodes.begin());
     const std::string id = std::to_string(nodes[node].id);
     const Prediction damaged = withNan(perfect_, node);
-    std::string fault = refusal(damaged, id);
+    std::string fault = refusal(evaluator_, damaged, id);
     const std::vector<SubmissionFinding> findings = checkSubmission(label_space_, truth_, damaged);
     if (fault.empty() && findings.front().message.find(id) == std::string::npos) {
       fault = "not found before scoring";
@@ -233,9 +233,10 @@ class DamageChecks {
   }
 
   /// What is wrong with how the evaluator refuses it: the message must contain `text`.
-  std::string refusal(const Prediction& damaged, const std::string& text) const {
+  static std::string refusal(const Evaluator& evaluator, const Prediction& damaged,
+                             const std::string& text) {
     try {
-      evaluator_.evaluate(damaged);
+      evaluator.evaluate(damaged);
     } catch (const InputError& error) {
       const std::string message = error.what();
       return message.find(text) == std::string::npos ? "refused with: " + message : "";
@@ -262,15 +263,21 @@ class DamageChecks {
                                            {"y up", {y_up, none}},
                                            {"x and y exchanged", {exchanged, none}},
                                            {"moved by 5 m", {identity, oblique(5)}}};
-    for (const Mistake& mistake : mistakes) checkMistake(mistake);
+    // Only counts are looked at: voxels of objects a hundred times as large would take memory for
+    // nothing.
+    EvaluationConfig coarse = config_;
+    coarse.samples = 10;
+    coarse.voxel_pitch_m *= 1000;
+    const Evaluator evaluator("mistakes", "", label_space_, truth_, coarse);
+    for (const Mistake& mistake : mistakes) checkMistake(evaluator, mistake);
   }
 
   /// P and R as the centres say; and the mistake is seen before scoring, unless so much agrees with
   /// it that nobody could tell, or there are too few objects.
-  void checkMistake(const Mistake& mistake) {
+  void checkMistake(const Evaluator& evaluator, const Mistake& mistake) {
     const DamagedPrediction damaged = changed(perfect_, mistake.change);
     const MethodEvaluation scored =
-        evaluator_.evaluate(damaged.prediction, Evaluator::OtherUnits::kScoredAsIs);
+        evaluator.evaluate(damaged.prediction, Evaluator::OtherUnits::kScoredAsIs);
     std::string fault = countFault(scored, damaged);
     bool found = false;
     std::string seen = "not seen before scoring: too few objects, or a layout that looks the same";
@@ -284,7 +291,8 @@ class DamageChecks {
       fault = "not seen before scoring";
     }
     const bool millimetres = mistake.change.linear(0, 0) == 1000;
-    if (fault.empty() && millimetres) fault = refusal(damaged.prediction, "1000 times as large");
+    if (fault.empty() && millimetres)
+      fault = refusal(evaluator, damaged.prediction, "1000 times as large");
     add_(mistake.what + ": P and R follow from the centres", fault, seen);
   }
 
