@@ -35,14 +35,6 @@ std::string expectation(const Bounds& bounds) {
   return low ? fmt::format("at least {}", bounds.low) : fmt::format("at most {}", bounds.high);
 }
 
-/// One spelling per file: what lies below the current folder is named from there.
-std::filesystem::path shortened(const std::filesystem::path& path) {
-  const std::filesystem::path whole = path.lexically_normal();
-  if (!whole.is_absolute()) return whole;
-  const std::filesystem::path below = whole.lexically_relative(std::filesystem::current_path());
-  return below.empty() || *below.begin() == ".." ? whole : below;
-}
-
 }  // namespace
 
 struct ConfigReader::Impl : std::enable_shared_from_this<Impl> {
@@ -254,8 +246,8 @@ void ConfigReader::path(std::string_view key, std::filesystem::path& value) {
   impl_->readScalar(key, text, {});
   value = text;
   const NodePtr node = impl_->find(key);
-  if (node && !text.empty()) {
-    value = shortened(node->source->folder / value);
+  if (node && !text.empty() && value.is_relative()) {
+    value = (node->source->folder / value).lexically_normal();
     impl_->declare(key).value = yamlText(value.string());
   }
   if (!value.empty()) impl_->paths->push_back(value);

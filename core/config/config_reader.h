@@ -71,8 +71,7 @@ class ConfigReader {
   void field(std::string_view key, std::vector<double>& value, Bounds bounds = {});
   void field(std::string_view key, std::vector<int>& value, Bounds bounds = {});
   void field(std::string_view key, std::vector<std::string>& value);
-  /// A relative path is taken from the folder of the document. Paths below the current folder come
-  /// out relative to it, so that one file has one spelling in resolved configs and their hashes.
+  /// A relative path is taken from the folder of the document.
   void path(std::string_view key, std::filesystem::path& value);
   /// One of the listed words.
   void choice(std::string_view key, std::string& value, const std::vector<std::string>& allowed);

@@ -16,6 +16,11 @@ std::string differenceText(const Finding& finding) {
                      finding.interval->high);
 }
 
+/// "results/table1, office: ", or nothing where nothing was found.
+std::string place(const Finding& finding) {
+  return finding.result.empty() ? "" : fmt::format("{}, {}: ", finding.result, finding.dataset);
+}
+
 std::string summary(const std::vector<JudgedClaim>& claims) {
   std::string text;
   for (const ClaimVerdict verdict : {ClaimVerdict::kHolds, ClaimVerdict::kFails,
@@ -45,9 +50,8 @@ std::string claimsText(const std::vector<JudgedClaim>& claims) {
                     judged.claim.source.empty() ? "" : " (" + judged.claim.source + ")");
     for (const Finding& finding : judged.findings) {
       const std::string difference = differenceText(finding);
-      text += fmt::format("           {:<9}  {}{}{}\n", name(finding.verdict),
-                          finding.dataset.empty() ? "" : finding.dataset + ", ", finding.what,
-                          difference.empty() ? "" : "; " + difference);
+      text += fmt::format("           {:<9}  {}{}{}\n", name(finding.verdict), place(finding),
+                          finding.what, difference.empty() ? "" : "; " + difference);
     }
   }
   return text + summary(claims) + "\n";
@@ -64,7 +68,7 @@ std::string claimsMarkdown(const std::vector<JudgedClaim>& claims) {
           (judged.claim.source.empty() ? "" : fmt::format(" ({})", judged.claim.source));
       text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", first ? cell(says) : "",
                           first ? fmt::format("**{}**", name(judged.verdict)) : "",
-                          cell(finding.dataset), cell(finding.what), differenceText(finding),
+                          cell(place(finding)), cell(finding.what), differenceText(finding),
                           name(finding.verdict));
       first = false;
     }

@@ -59,6 +59,21 @@ Finding found(const Evidence& evidence, const Predicate& predicate,
   return finding;
 }
 
+/// Fewer objects than this and what they share by chance looks like certainty.
+constexpr std::size_t kFewestFound = 8;
+
+std::size_t numFound(const MatchedMethod& method) { return counts(method.matches).found_truths; }
+
+/// A comparison of what was found is open where hardly anything was.
+Finding openWhereFewFound(Finding finding, std::size_t found_objects) {
+  if (found_objects < kFewestFound &&
+      (finding.verdict == ClaimVerdict::kHolds || finding.verdict == ClaimVerdict::kFails)) {
+    finding.verdict = ClaimVerdict::kUndecided;
+    finding.what += fmt::format(": only {} found", found_objects);
+  }
+  return finding;
+}
+
 std::string shown(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "n/a";
 }
@@ -84,14 +99,12 @@ class Judge {
     judged.claim = claim_;
     judged.verdict = ClaimVerdict::kHolds;
     for (const Predicate& predicate : claim_.needs) {
-      const std::size_t before = judged.findings.size();
       for (const Evidence& evidence : evidence_) {
-        if (!claim_.dataset.empty() && evidence.dataset != claim_.dataset) continue;
         if (concerns(predicate, evidence)) look(predicate, evidence, judged.findings);
       }
-      if (judged.findings.size() == before) {
+      for (const std::string& absent : nowhere(predicate)) {
         Finding finding;
-        finding.what = missing(predicate);
+        finding.what = absent;
         judged.findings.push_back(std::move(finding));
       }
     }
@@ -106,23 +119,30 @@ class Judge {
   }
 
  private:
-  static bool concerns(const Predicate& predicate, const Evidence& evidence) {
-    return evidence.has(predicate.method) &&
-           (predicate.than.empty() ||
-            std::any_of(predicate.than.begin(), predicate.than.end(),
-                        [&](const std::string& other) { return evidence.has(other); }));
+  bool concerns(const Predicate& predicate, const Evidence& evidence) const {
+    return (claim_.dataset.empty() || evidence.dataset == claim_.dataset) &&
+           evidence.has(predicate.method);
   }
 
-  std::string missing(const Predicate& predicate) const {
-    std::string text = "no result with " + methodLabel(predicate.method);
-    if (!predicate.than.empty()) {
-      text += predicate.than.size() == 1 ? " and " : " and one of ";
-      for (std::size_t i = 0; i < predicate.than.size(); ++i) {
-        text += (i == 0 ? "" : ", ") + methodLabel(predicate.than[i]);
-      }
+  /// What no result has: the method, or the method beside one of the others.
+  std::vector<std::string> nowhere(const Predicate& predicate) const {
+    const std::string place =
+        claim_.dataset.empty() ? "" : fmt::format(" on dataset '{}'", claim_.dataset);
+    const auto anywhere = [&](const std::string& other) {
+      return std::any_of(evidence_.begin(), evidence_.end(), [&](const Evidence& evidence) {
+        return concerns(predicate, evidence) && (other.empty() || evidence.has(other));
+      });
+    };
+    std::vector<std::string> absent;
+    if (predicate.than.empty() && !anywhere("")) {
+      absent.push_back("no result with " + methodLabel(predicate.method) + place);
     }
-    if (!claim_.dataset.empty()) text += fmt::format(" on dataset '{}'", claim_.dataset);
-    return text;
+    for (const std::string& other : predicate.than) {
+      if (anywhere(other)) continue;
+      absent.push_back(fmt::format("no result with {} and {}{}", methodLabel(predicate.method),
+                                   methodLabel(other), place));
+    }
+    return absent;
   }
 
   void look(const Predicate& predicate, const Evidence& evidence,
@@ -133,7 +153,7 @@ class Judge {
     }
     if (predicate.type == Predicate::Type::kScene) {
       for (const std::string& other : predicate.than) {
-        findings.push_back(scene(predicate, evidence, other));
+        if (evidence.has(other)) findings.push_back(scene(predicate, evidence, other));
       }
       return;
     }
@@ -147,6 +167,7 @@ class Judge {
       findings.push_back(trend(predicate, evidence, method->second, nullptr));
     }
     for (const std::string& name : predicate.than) {
+      if (!evidence.has(name)) continue;  // another result may have it; run() looks
       const auto other = evidence.methods.find(name);
       if (other == evidence.methods.end() || !sameTruths(method->second, other->second)) {
         findings.push_back(
@@ -180,9 +201,11 @@ class Judge {
     if (!hasScores(a) || !hasScores(b)) return notRun(evidence, noScores(predicate));
     const PairScoreColumn& column = *findPairScoreColumn(predicate.metric);
     const double sign = column.direction == ScoreDirection::kLowerIsBetter ? -1 : 1;
-    return found(evidence, predicate, compareFound(a, b, column, config_), sign,
-                 sentence(predicate.metric + " of the found", shown(meanOfFound(a, column)),
-                          shown(meanOfFound(b, column))));
+    return openWhereFewFound(
+        found(evidence, predicate, compareFound(a, b, column, config_), sign,
+              sentence(predicate.metric + " of the found", shown(meanOfFound(a, column)),
+                       shown(meanOfFound(b, column)))),
+        std::min(numFound(a), numFound(b)));
   }
 
   static std::string noScores(const Predicate& predicate) {
@@ -243,8 +266,10 @@ class Judge {
         fmt::format("{} at {:g} m, slope over |ln(size / size usual in its class)|: {}",
                     predicate.metric, predicate.tau_m, methodLabel(mine.method));
     if (b) what += " less " + methodLabel(other->method);
-    return found(evidence, predicate, sizeTrend(a, b ? &*b : nullptr, column, config_), 1,
-                 std::move(what));
+    return openWhereFewFound(
+        found(evidence, predicate, sizeTrend(a, b ? &*b : nullptr, column, config_), 1,
+              std::move(what)),
+        b ? std::min(numFound(a), numFound(*b)) : numFound(a));
   }
 
   static Finding realTime(const Predicate& predicate, const Evidence& evidence) {
@@ -265,7 +290,7 @@ class Judge {
     }
     const auto [least, most] = std::minmax_element(factors.begin(), factors.end());
     Finding finding = notRun(
-        evidence, fmt::format("{} on {} world{} of frames at {:g} Hz: {:.1f} to {:.1f} times real "
+        evidence, fmt::format("{} on {} world{} of frames at {:g} Hz: {:.3g} to {:.3g} times real "
                               "time",
                               methodLabel(predicate.method), factors.size(),
                               factors.size() == 1 ? "" : "s", predicate.at_hz, *least, *most));
@@ -280,25 +305,35 @@ class Judge {
 
   static Finding scene(const Predicate& predicate, const Evidence& evidence,
                        const std::string& other) {
-    const auto row_of = [&](const std::string& method) -> const ScoreRow* {
+    // Scores of the whole scene have one row per method.
+    const auto rows_of = [&](const std::string& method) {
+      std::vector<const ScoreRow*> rows;
       for (const ScoreRow& row : evidence.scores) {
-        if (row.method == method && row.metric == predicate.metric) return &row;
+        if (row.method == method && row.metric == predicate.metric) rows.push_back(&row);
       }
-      return nullptr;
+      return rows;
     };
-    const ScoreRow* a = row_of(predicate.method);
-    const ScoreRow* b = row_of(other);
-    if (!a || !b || !a->value || !b->value) {
-      return notRun(evidence, fmt::format("no {} of {}", predicate.metric,
-                                          methodLabel(!a || !a->value ? predicate.method : other)));
+    for (const std::string& method : {predicate.method, other}) {
+      const auto rows = rows_of(method);
+      if (rows.size() != 1 || !rows.front()->value) {
+        return notRun(evidence, fmt::format("{} of {}: {} rows, expected one with a value",
+                                            predicate.metric, methodLabel(method), rows.size()));
+      }
+    }
+    const ScoreRow* a = rows_of(predicate.method).front();
+    const ScoreRow* b = rows_of(other).front();
+    const std::string what =
+        fmt::format("{}: {} {}, {} {}", predicate.metric, methodLabel(predicate.method),
+                    shown(a->value), methodLabel(other), shown(b->value));
+    if (!a->ci95_low || !a->ci95_high || !b->ci95_low || !b->ci95_high) {
+      Finding finding = notRun(evidence, what + ", without intervals");
+      finding.verdict = ClaimVerdict::kUndecided;
+      return finding;
     }
     PairedComparison comparison;
     comparison.difference = *a->value - *b->value;
-    comparison.interval = {a->ci95_low.value_or(*a->value) - b->ci95_high.value_or(*b->value),
-                           a->ci95_high.value_or(*a->value) - b->ci95_low.value_or(*b->value)};
-    return found(evidence, predicate, comparison, predicate.lower_is_better ? -1 : 1,
-                 fmt::format("{}: {} {}, {} {}", predicate.metric, methodLabel(predicate.method),
-                             shown(a->value), methodLabel(other), shown(b->value)));
+    comparison.interval = {*a->ci95_low - *b->ci95_high, *a->ci95_high - *b->ci95_low};
+    return found(evidence, predicate, comparison, predicate.lower_is_better ? -1 : 1, what);
   }
 
   const Claim& claim_;

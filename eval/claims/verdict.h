@@ -40,11 +40,13 @@ struct JudgedClaim {
 
 /// A claim fails where one finding fails; else it was not run where one could not be made; else it
 /// is undecided where one is; else it holds. A claim over several others needs them all, so no
-/// correction for many tests is due (intersection-union test; Berger, Technometrics 1982).
+/// correction for many tests is due to "holds" (intersection-union test; Berger, Technometrics
+/// 1982). "Fails" is not corrected for the number of comparisons.
 ///
 /// Differences are bootstrapped over objects in pairs, as in metrics/bootstrap.h; those of scene
 /// scores come from the intervals of both and are wider than need be. kKappa looks at 40
-/// thresholds; those where both methods score the same on every draw say nothing.
+/// thresholds; those where both methods score the same on every draw say nothing. Means over what
+/// was found are undecided where a method found fewer than 8 objects.
 std::vector<JudgedClaim> judge(const std::vector<Claim>& claims,
                                const std::vector<Evidence>& evidence,
                                const BootstrapConfig& config = {});

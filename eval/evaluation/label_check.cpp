@@ -3,6 +3,7 @@
 #include "eval/evaluation/label_check.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -94,7 +95,10 @@ std::optional<std::string> otherNumberingByPlace(const LabelSpace& label_space,
                                                  const Prediction& prediction) {
   std::size_t pairs = 0;
   std::size_t own = 0;
+  std::set<Label> used;
   std::set<Label> meant;
+  std::set<std::int64_t> shifts;
+  bool any_unknown = false;
   std::vector<std::string> names;
   for (const auto& [label, truths] : coincidences(label_space, truth, prediction)) {
     std::size_t sum = 0;
@@ -108,10 +112,16 @@ std::optional<std::string> otherNumberingByPlace(const LabelSpace& label_space,
                          [](const auto& a, const auto& b) { return a.second < b.second; });
     if (most->first == label || 10 * most->second < 9 * sum) return std::nullopt;
     if (!meant.insert(most->first).second) return std::nullopt;
+    used.insert(label);
+    shifts.insert(static_cast<std::int64_t>(label) - static_cast<std::int64_t>(most->first));
+    any_unknown |= label_space.find(label) == nullptr;
     names.push_back(fmt::format("{} for {} {} ({} of {})", label, most->first,
                                 label_space.nameOf(most->first), most->second, sum));
   }
   if (names.size() < 2 || 10 * own > pairs) return std::nullopt;
+  // Who calls every armchair a chair and every desk a table takes one thing for another; numbers
+  // that are exchanged, shifted or foreign are another list.
+  if (used != meant && shifts.size() != 1 && !any_unknown) return std::nullopt;
   return fmt::format(
       "another numbering: objects stand in the right places under exchanged labels: {}; write the "
       "dataset's labels",

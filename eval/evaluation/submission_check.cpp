@@ -57,16 +57,18 @@ double spread(const std::vector<PlacedObject>& objects) {
   return median(std::move(distances));
 }
 
-/// "millimetres" for objects 1000 times as large as they should be.
-std::string unitName(double metres_per_unit) {
-  if (metres_per_unit < 0.004) return "millimetres";
-  if (metres_per_unit < 0.1) return "centimetres";
-  return "kilometres";
-}
-
-double nearestUnit(double times_too_large) {
-  if (times_too_large < 1) return 1000;
-  return times_too_large > 300 ? 0.001 : 0.01;
+/// What objects of this size would be right in, and the factor to metres.
+struct Unit {
+  const char* name;
+  double metres;
+};
+Unit unitOf(double times_too_large) {
+  for (const Unit& unit :
+       {Unit{"millimetres", 0.001}, Unit{"centimetres", 0.01}, Unit{"kilometres", 1000.0}}) {
+    const double rest = times_too_large * unit.metres;
+    if (rest > 1.0 / 3 && rest < 3) return unit;
+  }
+  return {"another unit", 1 / times_too_large};
 }
 
 /// Sizes do not ask who matches whom: they tell even where a method found nothing.
@@ -89,15 +91,15 @@ std::optional<std::string> unitBySizes(const std::vector<PlacedObject>& estimate
   const bool same =
       spread_ratio > 0 && size_ratio / spread_ratio < 2.5 && spread_ratio / size_ratio < 2.5;
   if (!(extreme > 400 || (extreme > 40 && same))) return std::nullopt;
-  const double unit = nearestUnit(size_ratio);
+  const Unit unit = unitOf(size_ratio);
   // Few objects of a poor method spread by chance: positions are in the unit that is nearer.
   const bool everything = spread_ratio > 0 && std::log(spread_ratio) / std::log(size_ratio) > 0.5;
   return fmt::format(
       "{} in {}: the median object is {:.3g} times the size of its class (of {}), the objects "
-      "spread over {:.3g} times the space; multiply {} by {:g}",
-      everything ? "positions and meshes" : "meshes", unitName(unit), size_ratio, ratios.size(),
+      "spread over {:.3g} times the space; multiply {} by {:.3g}",
+      everything ? "positions and meshes" : "meshes", unit.name, size_ratio, ratios.size(),
       spread_ratio, everything ? "everything" : "the mesh points about the centre of their box",
-      unit);
+      unit.metres);
 }
 
 /// "(x, z, -y)": what the axes of the world are in those of the prediction.
@@ -126,7 +128,7 @@ std::string misplacementText(const Misplacement& found) {
   std::vector<std::string> mistakes;
   std::vector<std::string> remedies;
   if (placement.unit_m != 1) {
-    mistakes.push_back("in " + unitName(placement.unit_m));
+    mistakes.push_back("in " + std::string(unitOf(1 / placement.unit_m).name));
     remedies.push_back(fmt::format("multiply positions and meshes by {:g}", placement.unit_m));
   }
   if (placement.frame == Placement::Frame::kWorld && !placement.axes.isIdentity()) {

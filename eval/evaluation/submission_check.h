@@ -31,7 +31,8 @@ struct SubmissionFinding {
 ///  - labels: fails where not one object has a label that the dataset knows; where names in the
 ///    prediction's own label space say that most objects carry another numbering; or where objects
 ///    stand in the right places and their labels are exchanged consistently (at least two classes
-///    of 3 pairs or more, each at least 90 % under one other label, at most 10 % under their own).
+///    of 3 pairs or more, each at least 90 % under one other label, at most 10 % under their own;
+///    the numbers exchanged among themselves, all shifted by the same, or unknown to the dataset).
 ///    Other labels than the dataset's are a warning. A method that confuses classes is not
 ///    consistent, one that knows a single class has no second one: neither is accused.
 ///  - unit, axes and origin: fails by the rule of placement_search.h, or by sizes alone: at least 3

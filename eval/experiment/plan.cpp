@@ -30,6 +30,16 @@ std::string filesStamp(const DatasetConfig& dataset) {
   return hash.hex();
 }
 
+/// A config as it enters a hash: files below the current folder have one spelling, however they
+/// were named.
+std::string withoutCurrentFolder(std::string config) {
+  const std::string folder = std::filesystem::current_path().string() + "/";
+  for (std::size_t at = 0; (at = config.find(folder, at)) != std::string::npos;) {
+    config.erase(at, folder.size());
+  }
+  return config;
+}
+
 std::string decisionText(const MethodConfig& method) {
   if (!method.decision) return "";
   ConfigReader reader(ConfigDocument::fromString("{}"));
@@ -102,7 +112,7 @@ class Planner {
   std::size_t world(const DatasetConfig& config, std::size_t max_frames) {
     const std::string key = ContentHash()
                                 .add(programHash())
-                                .add(config.resolved_config)
+                                .add(withoutCurrentFolder(config.resolved_config))
                                 .add(filesStamp(config))
                                 .add(std::to_string(max_frames))
                                 .hex();
@@ -119,7 +129,7 @@ class Planner {
     const std::string hash = ContentHash()
                                  .add("run")
                                  .add(world_keys_[world])
-                                 .add(method.mapping_config)
+                                 .add(withoutCurrentFolder(method.mapping_config))
                                  .add(files)
                                  .hex();
     std::vector<RunUnit>& runs = plan_.worlds[world].runs;

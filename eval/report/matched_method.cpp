@@ -12,13 +12,13 @@
 namespace hydrabench {
 namespace {
 
-/// Then they differ on no draw.
+/// Then they differ on no draw. Labels read from two files may be numbered differently.
 bool sameAnswers(const MatchedMethod& a, const MatchedMethod& b) {
   return a.matches.truth_of_estimate == b.matches.truth_of_estimate &&
          std::equal(a.evaluation->estimates.begin(), a.evaluation->estimates.end(),
                     b.evaluation->estimates.begin(), b.evaluation->estimates.end(),
                     [](const ScoredObject& x, const ScoredObject& y) {
-                      return x.detection.label == y.detection.label &&
+                      return x.class_name == y.class_name &&
                              x.detection.center == y.detection.center;
                     });
 }

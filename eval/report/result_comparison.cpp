@@ -67,18 +67,19 @@ Verdict judge(double low, double high, double floor, int better) {
   return low < -floor ? Verdict::kInconclusive : Verdict::kSame;
 }
 
-/// Times of both results over stretches of frames, a stratum per world.
+/// Fewer tell nothing of what a machine does besides.
+constexpr std::size_t kFewestStretches = 8;
+
+/// Times of both results over stretches of frames.
 class Stretches {
  public:
   void addWorld(const std::vector<double>& before, const std::vector<double>& after) {
     constexpr std::size_t kFrames = 25;
-    const std::size_t first = sums_.size();
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (i % kFrames == 0) sums_.emplace_back();
       sums_.back().a += before[i];
       sums_.back().b += after[i];
     }
-    sizes_.push_back(sums_.size() - first);
     frames_ += before.size();
   }
 
@@ -98,8 +99,10 @@ class Stretches {
     if (total.a <= 0) return std::nullopt;
     BootstrapConfig config;
     config.resamples = floor.resamples;
+    // All worlds in one stratum: short ones have but a stretch or two.
+    const std::vector<std::size_t> sizes = {sums_.size()};
     const auto change = bootstrapStatistic(
-        sizes_,
+        sizes,
         [&](std::span<const std::size_t> drawn) -> std::optional<double> {
           const PairedValue of_draw = sum(drawn);
           if (of_draw.a <= 0) return std::nullopt;
@@ -113,7 +116,9 @@ class Stretches {
     line.low = change->interval.low;
     line.high = change->interval.high;
     // Two runs never take the same time: a little faster is the same, as a little slower is.
-    line.verdict = line.low > floor.time_share     ? Verdict::kWorse
+    const bool enough = sums_.size() >= kFewestStretches;
+    line.verdict = !enough                         ? Verdict::kInconclusive
+                   : line.low > floor.time_share   ? Verdict::kWorse
                    : line.high < -floor.time_share ? Verdict::kBetter
                    : line.low >= -floor.time_share && line.high <= floor.time_share
                        ? Verdict::kSame
@@ -123,7 +128,6 @@ class Stretches {
 
  private:
   std::vector<PairedValue> sums_;  ///< a: before, b: after
-  std::vector<std::size_t> sizes_;
   std::size_t frames_ = 0;
 };
 

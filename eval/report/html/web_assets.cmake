@@ -50,8 +50,8 @@ endif()
 if(NOT installed STREQUAL lock)
   file(REMOVE ${BUILD}/installed.txt)
   file(COPY ${SOURCE}/package.json ${SOURCE}/package-lock.json DESTINATION ${BUILD})
-  execute_process(COMMAND ${NPM} ci --ignore-scripts --omit=dev --no-audit --no-fund --fetch-retries=1
-    WORKING_DIRECTORY ${BUILD} OUTPUT_FILE ${BUILD}/npm.log ERROR_FILE ${BUILD}/npm.log RESULT_VARIABLE failed)
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --omit=dev --no-audit --no-fund --fetch-retries=1 --fetch-timeout=20000
+    WORKING_DIRECTORY ${BUILD} OUTPUT_FILE ${BUILD}/npm.log ERROR_FILE ${BUILD}/npm.log RESULT_VARIABLE failed TIMEOUT 300)
   if(failed)
     give_up("npm could not fetch its packages (${BUILD}/npm.log); with network, configure and build again")
     return()

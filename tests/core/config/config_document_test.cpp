@@ -177,26 +177,6 @@ TEST(ConfigDocument, PathsAreRelativeToTheFileTheyStandIn) {
   EXPECT_EQ(mesh, folder / "common/chair.ply");
 }
 
-TEST(ConfigDocument, AFileBelowTheCurrentFolderHasOneSpelling) {
-  TemporaryFolder folder;
-  const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(folder.path());
-  const std::filesystem::path here = std::filesystem::current_path();
-  const auto resolvedFrom = [](const std::string& yaml) {
-    ConfigReader reader(ConfigDocument::fromString(yaml));
-    std::filesystem::path mesh;
-    reader.path("mesh", mesh);
-    return reader.resolved();
-  };
-  const std::string absolute = resolvedFrom("mesh: " + (here / "models/../chair.ply").string());
-  const std::string relative = resolvedFrom("mesh: ./chair.ply");
-  const std::string outside = resolvedFrom("mesh: /elsewhere/chair.ply");
-  std::filesystem::current_path(before);
-  EXPECT_EQ(absolute, "mesh: chair.ply\n");
-  EXPECT_EQ(relative, absolute);
-  EXPECT_EQ(outside, "mesh: /elsewhere/chair.ply\n");
-}
-
 TEST(ConfigDocument, FaultsInABaseNameTheBase) {
   TemporaryFolder folder;
   writeText(folder / "root.yaml", "\n\nsede: 1\n");

@@ -143,6 +143,30 @@ TEST(Judge, OfADistanceLessIsBetter) {
   EXPECT_NEAR(*finding.difference, 0.05, 1e-9);  // in favour of ours, each over what it found
 }
 
+TEST(Judge, MeansOverAFewFoundObjectsAreUndecided) {
+  MethodEvaluation coarse = finder("theirs", 0);
+  for (auto& [pair, scores] : coarse.pair_scores) *scores.chamfer_l1 += 0.05;
+  Predicate predicate = need(Predicate::Type::kScore, "chamfer_l1", {"theirs"});
+  predicate.matching = Matching::kOneToOne;
+  EXPECT_EQ(verdictOf(predicate, evidenceOf({finder("ours", kTruths - 8), coarse})),
+            ClaimVerdict::kHolds);
+  const Finding finding =
+      judgeOne({predicate}, {evidenceOf({finder("ours", kTruths - 7), coarse})}).findings.front();
+  EXPECT_EQ(finding.verdict, ClaimVerdict::kUndecided);
+  EXPECT_THAT(finding.what, HasSubstr("only 7 found"));
+}
+
+TEST(Judge, AResultWithoutABaselineTakesNothingFromOneThatHasIt) {
+  const Predicate both = need(Predicate::Type::kScore, "recall", {"theirs", "others"});
+  const Evidence full = evidenceOf({finder("ours", 0), finder("theirs", 40), finder("others", 30)});
+  const Evidence part = evidenceOf({finder("ours", 0), finder("theirs", 40)});
+  EXPECT_EQ(judgeOne({both}, {full, part}).verdict, ClaimVerdict::kHolds);
+  EXPECT_THAT(judgeOne({both}, {full, part}).findings, SizeIs(3));
+  const JudgedClaim judged = judgeOne({both}, {part});
+  EXPECT_EQ(judged.verdict, ClaimVerdict::kNotRun);
+  EXPECT_THAT(judged.findings.back().what, HasSubstr("no result with ours and others"));
+}
+
 TEST(Judge, AtAThresholdWithoutScoresNothingIsSaid) {
   MethodEvaluation unscored = finder("theirs", 0);
   unscored.pair_scores.clear();
@@ -224,6 +248,10 @@ TEST(Judge, SceneScoresAreComparedByTheirIntervals) {
   EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kHolds);
   evidence.scores[1].ci95_low = 11;
   EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kUndecided);
+  evidence.scores[1].ci95_low.reset();
+  EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kUndecided);
+  evidence.scores.push_back(row("ours", 11, 2));  // which of the two?
+  EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kNotRun);
   predicate.metric = "other";
   EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kNotRun);
 }
@@ -279,7 +307,7 @@ TEST(ClaimReport, SaysVerdictAndNumbersInEveryFormat) {
       judgeOne({need(Predicate::Type::kScore, "recall", {"theirs"})}, {evidence})};
   EXPECT_THAT(claimsText(judged), HasSubstr("holds      it: it is so"));
   EXPECT_THAT(claimsText(judged), HasSubstr("1 holds, 0 fails, 0 undecided, 0 not run"));
-  EXPECT_THAT(claimsMarkdown(judged), HasSubstr("| it is so | **holds** | office |"));
+  EXPECT_THAT(claimsMarkdown(judged), HasSubstr("| it is so | **holds** | result, office: |"));
   const auto json = nlohmann::json::parse(claimsJson(judged));
   EXPECT_EQ(json[0]["verdict"], "holds");
   EXPECT_NEAR(json[0]["findings"][0]["difference"].get<double>(), 40.0 / 60, 1e-12);

@@ -179,6 +179,16 @@ TEST_F(CompareResults, TimesOfADisturbedMachineAreInconclusive) {
   EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
 }
 
+TEST_F(CompareResults, AFewFramesAreTooLittleToSay) {
+  write("a", {finder(30, 0.8)}, 10);
+  write("b", {finder(30, 0.8)}, 13);
+  for (const auto& [name, frame_ms] : {std::pair{"a", 10.0}, std::pair{"b", 20.0}}) {
+    const FrameTimes times{"office", "1", "hydra", std::vector<double>(7 * 25, frame_ms)};
+    writeText(folder_ / name / "frame_times.csv", frameTimesCsv({times}));
+  }
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
+}
+
 TEST_F(CompareResults, OtherFramesAreNotCompared) {
   write("a", {finder(30, 0.8)}, 10);
   write("b", {finder(30, 0.8)}, 10);

@@ -47,8 +47,8 @@ export function settingControls(narrow = false) {
   ];
 }
 
-/** Of one method at one setting: the outcome of every truth by index, and the estimates that stand for none. */
-export function outcomesOf(method, setting) {
+/** Of one method at one setting: the outcome of every one of `count` truths by index, and the estimates that stand for none. */
+export function outcomesOf(method, setting, count) {
   const ofTruth = new Map();
   const extra = [];
   for (const [kind, estimate, truth, distance] of method.outcomes[setting] ?? []) {
@@ -59,8 +59,14 @@ export function outcomesOf(method, setting) {
       extra.push({kind, estimate, truth, distance});
     }
   }
+  // Many to one, a truth counts as found by an estimate whose own line names a nearer truth.
+  for (let truth = 0; truth < count && method.outcomes[setting]; ++truth) {
+    if (!ofTruth.has(truth)) ofTruth.set(truth, {kind: "found", estimate: null, distance: null});
+  }
   return {ofTruth, extra};
 }
+
+export const isFound = (outcome) => outcome?.kind === "matched" || outcome?.kind === "found";
 
 /** The scores of an estimate against a truth by name; null where they were not computed. */
 export function scoresOf(method, estimate, truth) {
@@ -68,4 +74,4 @@ export function scoresOf(method, estimate, truth) {
   return pair ? Object.fromEntries(objects().score_names.map((name, i) => [name, pair.scores[i]])) : null;
 }
 
-export const kOutcomes = {matched: "found", missed: "missed", unmatched: "false positive", duplicate: "duplicate"};
+export const kOutcomes = {matched: "found", found: "found beside another", missed: "missed", unmatched: "false positive", duplicate: "duplicate"};

@@ -30,7 +30,7 @@ function joinMethod(method, scored, setting, truthIndex) {
   const objectIndex = new Map(objects.map((object, i) => [object.id, i]));
   const sceneObject = (estimate) => objectIndex.get(evaluated.estimates[estimate]?.id);
   const sceneTruth = (truth) => truthIndex.get(scored.truths[truth]?.id);
-  const {ofTruth: found, extra} = outcomesOf(evaluated, setting);
+  const {ofTruth: found, extra} = outcomesOf(evaluated, setting, scored.truths.length);
   for (const [truth, {kind, estimate, distance}] of found) {
     const t = sceneTruth(truth);
     if (t === undefined) continue;

@@ -37,6 +37,13 @@ export class Layers {
       if (child.material) child.material.dispose();
     }
     this.pickable = [];
+    this.wanted = null;  // a scene mesh still on its way comes too late
+  }
+
+  /** Before the layers of another world. */
+  close() {
+    this.dispose();
+    this.viewer.scene.remove(this.group);
   }
 
   add(object, own = false) {
@@ -76,7 +83,7 @@ export class Layers {
   addTruths(world, shown, {truths, selected}) {
     const scored = shown.filter((method) => method.isScored);
     world.truths.forEach((truth, t) => {
-      const missed = scored.length > 0 && scored.every((method) => method.ofTruth.get(t)?.kind !== "matched");
+      const missed = scored.length > 0 && scored.every((method) => method.ofTruth.get(t)?.kind === "missed");
       const geometry = this.world.geometry(truth.mesh);
       if (missed) this.add(outline(boxPoints(geometry), cssColor("--missed")), true);
       const chosen = selected?.truth === t && truths === "none";

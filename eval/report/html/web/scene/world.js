@@ -16,10 +16,11 @@ export class World {
     this.geometries = new Map();
   }
 
-  /** Of an object; equal shapes share it, so it must not be changed. */
+  /** Of an object; shared by all who ask for it, so it must not be changed. Equal bytes may stand for shapes of other places and sizes. */
   geometry(mesh) {
-    if (!this.geometries.has(mesh.at)) this.geometries.set(mesh.at, geometryOf(decodeMesh(this.shapes, mesh)));
-    return this.geometries.get(mesh.at);
+    const key = [mesh.at, ...mesh.low, ...mesh.size].join();
+    if (!this.geometries.has(key)) this.geometries.set(key, geometryOf(decodeMesh(this.shapes, mesh)));
+    return this.geometries.get(key);
   }
 
   /** The same with room for a colour per vertex. */

@@ -73,9 +73,10 @@ export function kappaView(page, data) {
   }
 }
 
-/** Area under a step function over [0, end], over end; undefined values count as 0, as in the table. */
+/** Area under a step function over [0, end], over end; null where the score is undefined, as in kappa.md. */
 function mean(list, score, end) {
+  if (list.some((row) => row[score] === null)) return null;
   let area = 0;
-  list.forEach((row, i) => { area += (row[score] ?? 0) * ((list[i + 1]?.kappa ?? end) - row.kappa); });
+  list.forEach((row, i) => { area += row[score] * ((list[i + 1]?.kappa ?? end) - row.kappa); });
   return area / end;
 }

@@ -69,14 +69,14 @@ function rowsOf(world, setting) {
   const rows = [];
   world.truths.forEach((truth, t) => {
     for (const method of world.methods) {
-      const outcome = outcomesOf(method, setting).ofTruth.get(t);
+      const outcome = outcomesOf(method, setting, world.truths.length).ofTruth.get(t);
       if (!outcome) continue;
       rows.push({...common(truth), visible: truth.visible, key: truth.name || truth.id, method: method.method, outcome: outcome.kind, distance: outcome.distance,
         scores: outcome.kind === "matched" ? scoresOf(method, outcome.estimate, t) : null});
     }
   });
   for (const method of world.methods) {
-    for (const {kind, estimate, distance} of outcomesOf(method, setting).extra) {
+    for (const {kind, estimate, distance} of outcomesOf(method, setting, 0).extra) {
       const object = method.estimates[estimate];
       rows.push({...common(object), visible: null, key: method.method + ":" + object.name, method: method.method, outcome: kind, distance, scores: null});
     }

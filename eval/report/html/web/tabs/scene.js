@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import {json} from "../data.js";
 import {checkbox, fill, h, select} from "../dom.js";
-import {chosenWorld, settingControls, worldControl} from "../model.js";
+import {chosenWorld, isFound, settingControls, worldControl} from "../model.js";
 import {isBound, methodLabel, methodTag, scaleGradient, swatch} from "../palette.js";
 import {heatmapCells} from "../scene/heatmap.js";
 import {find, joined, objectKey, truthKey} from "../scene/joined.js";
@@ -51,10 +51,16 @@ class SceneTab {
 
   async open() {
     const key = chosenWorld();
-    this.layers?.dispose();
+    this.layers?.close();
     this.layers = null;
+    this.before = null;
     this.world = joined(key);
     if (!this.world || !this.viewer) {
+      if (this.viewer) {
+        this.viewer.cells = null;
+        this.viewer.draw();
+      }
+      fill(this.overlay);
       fill(this.left, worldControl(), !this.world && h("p", {class: "hint"}, "This world has no scene in this file; the remarks under Setup say why."));
       fill(this.right);
       return;
@@ -66,14 +72,16 @@ class SceneTab {
     this.layers = new Layers(this.viewer, shapes);
     const names = world.methods.map((method) => method.name);
     const best = bestMethod(names);
-    if (![...this.options.methods].some((name) => names.includes(name))) this.options.methods = new Set([state.get("method", best)].filter((name) => names.includes(name)));
+    const wanted = state.get("method");
+    if (names.includes(wanted) && !this.options.methods.has(wanted)) this.options.methods = new Set([wanted]);
+    if (![...this.options.methods].some((name) => names.includes(name))) this.options.methods = new Set([best].filter((name) => names.includes(name)));
     if (!world.methods.some((method) => method.name === this.options.scene && method.scene !== null)) {
       const withScene = world.methods.filter((method) => method.scene !== null).map((method) => method.name);
       this.options.scene = withScene.includes(best) ? best : withScene[0] ?? "";
     }
     const box = this.layers.bounds(world);
     this.floor = box.min.z;
-    if (this.options.cut === null) this.setCut(1.6);
+    this.setCut(this.options.cut ?? 1.6);
     this.show();
     this.viewer.lookAt(box, {directions: kDirections, jump: true, room: 1.03});
     if (this.selected()) this.flyTo(true);
@@ -144,7 +152,7 @@ class SceneTab {
     const focused = document.activeElement === this.list;
     const counts = (method) => {
       if (!method.isScored) return String(method.objects.length);
-      const found = [...method.ofTruth.values()].filter((outcome) => outcome.kind === "matched").length;
+      const found = [...method.ofTruth.values()].filter(isFound).length;
       const extra = method.objects.filter((object) => object.status === "unmatched" || object.status === "duplicate").length;
       return found + (extra > 0 ? " + " + extra : "");
     };
@@ -183,7 +191,7 @@ class SceneTab {
 
   missed(t) {
     const shown = this.world.methods.filter((method) => method.isScored && this.options.methods.has(method.name));
-    return shown.length > 0 && shown.every((method) => method.ofTruth.get(t)?.kind !== "matched");
+    return shown.length > 0 && shown.every((method) => method.ofTruth.get(t)?.kind === "missed");
   }
 
   objectList() {
