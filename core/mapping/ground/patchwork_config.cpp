@@ -7,12 +7,16 @@
 namespace hydrabench {
 namespace {
 
-/// A robot of about 0.5 m sees flat ground on the nine lower... of 2 degrees
+/// At 0.5 m, lines 2 degrees apart meet level ground at 1.9, 2.2, 2.6, 3.2, 4.1, 5.7, 9.5 and 28.6
+/// m. Rings are so wide that each sees at least one of them: zones begin at 1, 8.4, 15.8 and 30.5
+/// m. Where it is one line, the plane rests on the bend of the arc: sectors may not be narrow.
+/// Height and flatness are asked of every ring, for a line across a wall is level, too. Heights of
+/// seeds and of the plane as Patchwork has them for a VLP-16 on a robot of 0.6 m.
 Patchwork::Config vlp16() {
   Patchwork::Config config;
   config.sensor = "vlp16";
-  config.zones = {
-      .min_range_m = 1, .max_range_m = 40, .rings = {2, 1, 1, 1}, .sectors = {16, 16, 16, 16}};
+  config.zones = {1, 60, {2, 1, 1, 1}, {24, 32, 32, 32}};
+  config.adaptive.rings = 5;
   config.fit.seed_height_m = 0.2;
   config.fit.thickness_m = 0.075;
   return config;
