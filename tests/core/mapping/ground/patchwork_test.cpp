@@ -111,6 +111,13 @@ TEST(Patchwork, WeakReturnsFromBelowTheGroundAreNoGround) {
   EXPECT_GT(scoreOf(weak, Patchwork{{}}.segment(weak.view()), 2.7, 60).recall(), 0.999);
 }
 
+TEST(Patchwork, WeakReturnsAtAShallowAngleAreNoReflections) {
+  AnalyticScan scan = lookAt({level(-kCar)}, hdl64(), kCar, kNoise);
+  for (int i = 0; i < 30; ++i)
+    scan.add({12 + 0.02 * i, 1, -kCar - 1.2}, false, 0.1f);  // 14 degrees
+  EXPECT_EQ(shareOfReflections(Patchwork{{}}.segment(scan.view())), 1);
+}
+
 TEST(Patchwork, OtherReturnsFromBelowCountAsGroundAsPublished) {
   const AnalyticScan strong = groundWithReflections(0.3f);
   EXPECT_EQ(shareOfReflections(Patchwork{{}}.segment(strong.view())), 1);
@@ -127,7 +134,7 @@ TEST(Patchwork, OtherReturnsFromBelowCountAsGroundAsPublished) {
 
 /// Level ground, and a sector of the first ring filled by something else.
 template <typename Height>
-AnalyticScan groundWithPatch(const Height& height) {
+AnalyticScan groundWithPatch(const Height& height, int count = 1000) {
   AnalyticScan scan = lookAt({level(-kCar)}, hdl64(), kCar, kNoise);
   const ConcentricZones zones({});
   AnalyticScan kept;
@@ -140,7 +147,7 @@ AnalyticScan groundWithPatch(const Height& height) {
     kept.add(scan.points[i].cast<double>(), true);
   }
   Random random(5);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < count; ++i) {
     const double angle = random.uniform(0.9, 1.1);
     const double range = random.uniform(4, 6);
     kept.add({range * std::cos(angle), range * std::sin(angle), height(random)}, false);
@@ -165,11 +172,25 @@ TEST(Patchwork, ABushIsGroundOnlyUntilTheThresholdsHaveMoved) {
   EXPECT_EQ(shareOfPatch(patchwork.segment(bush.view())), 0);
 }
 
+/// What becomes of the patch after a scan of plain ground.
+double shareOfPatchAfterPlainGround(const AnalyticScan& scan, bool revert) {
+  Patchwork::Config config;
+  config.revert.enabled = revert;
+  Patchwork patchwork(config);
+  patchwork.segment(lookAt({level(-kCar)}, hdl64(), kCar, kNoise).view());
+  return shareOfPatch(patchwork.segment(scan.view()));
+}
+
 TEST(Patchwork, AHighButFlatPatchIsGround) {
   const AnalyticScan deck = groundWithPatch([](Random&) { return -1.0; });
-  Patchwork patchwork{{}};
-  patchwork.segment(lookAt({level(-kCar)}, hdl64(), kCar, kNoise).view());
-  EXPECT_EQ(shareOfPatch(patchwork.segment(deck.view())), 1) << "flatness makes up for height";
+  EXPECT_EQ(shareOfPatchAfterPlainGround(deck, false), 1) << "flatness makes up for height";
+}
+
+TEST(Patchwork, AHighAndUnevenPatchIsGroundOnlyWhereItIsDense) {
+  const auto lawn = [](Random& random) { return -1 + 0.02 * random.normal(); };
+  EXPECT_GT(shareOfPatchAfterPlainGround(groundWithPatch(lawn, 2000), true), 0.99);
+  EXPECT_EQ(shareOfPatchAfterPlainGround(groundWithPatch(lawn, 2000), false), 0);
+  EXPECT_EQ(shareOfPatchAfterPlainGround(groundWithPatch(lawn, 1000), true), 0);
 }
 
 TEST(Patchwork, WhatTheSensorSeesFromBelowIsNoGround) {
