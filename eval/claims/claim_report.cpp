@@ -16,9 +16,9 @@ std::string differenceText(const Finding& finding) {
                      finding.interval->high);
 }
 
-/// "results/table1, office: ", or nothing where nothing was found.
+/// "results/table1, office", or nothing where nothing was found.
 std::string place(const Finding& finding) {
-  return finding.result.empty() ? "" : fmt::format("{}, {}: ", finding.result, finding.dataset);
+  return finding.result.empty() ? "" : fmt::format("{}, {}", finding.result, finding.dataset);
 }
 
 std::string summary(const std::vector<JudgedClaim>& claims) {
@@ -50,8 +50,9 @@ std::string claimsText(const std::vector<JudgedClaim>& claims) {
                     judged.claim.source.empty() ? "" : " (" + judged.claim.source + ")");
     for (const Finding& finding : judged.findings) {
       const std::string difference = differenceText(finding);
-      text += fmt::format("           {:<9}  {}{}{}\n", name(finding.verdict), place(finding),
-                          finding.what, difference.empty() ? "" : "; " + difference);
+      text += fmt::format("           {:<9}  {}{}{}\n", name(finding.verdict),
+                          finding.result.empty() ? "" : place(finding) + ": ", finding.what,
+                          difference.empty() ? "" : "; " + difference);
     }
   }
   return text + summary(claims) + "\n";
