@@ -116,13 +116,20 @@ class Stretches {
     line.low = change->interval.low;
     line.high = change->interval.high;
     // Two runs never take the same time: a little faster is the same, as a little slower is.
-    const bool enough = sums_.size() >= kFewestStretches;
-    line.verdict = !enough                         ? Verdict::kInconclusive
-                   : line.low > floor.time_share   ? Verdict::kWorse
-                   : line.high < -floor.time_share ? Verdict::kBetter
-                   : line.low >= -floor.time_share && line.high <= floor.time_share
-                       ? Verdict::kSame
-                       : Verdict::kInconclusive;
+    const bool one_run = std::all_of(sums_.begin(), sums_.end(),
+                                     [](const PairedValue& sum) { return sum.a == sum.b; });
+    if (one_run) {
+      line.verdict = Verdict::kSame;
+    } else if (sums_.size() < kFewestStretches) {
+      line.verdict = Verdict::kInconclusive;
+    } else if (line.low > floor.time_share) {
+      line.verdict = Verdict::kWorse;
+    } else if (line.high < -floor.time_share) {
+      line.verdict = Verdict::kBetter;
+    } else {
+      const bool within = line.low >= -floor.time_share && line.high <= floor.time_share;
+      line.verdict = within ? Verdict::kSame : Verdict::kInconclusive;
+    }
     return line;
   }
 
