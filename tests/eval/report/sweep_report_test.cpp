@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/temporary_folder.h"
+
 namespace hydrabench {
 namespace {
 
@@ -41,6 +43,18 @@ TEST(SweepReport, PutsTheAxesInFrontOfTheScores) {
   const std::string text = sweepCsv(sweep());
   EXPECT_THAT(text, ::testing::StartsWith("voxel_m,dataset,seed,method,"));
   EXPECT_THAT(text, HasSubstr("\n0.05,office,1,hydra,"));
+}
+
+TEST(SweepReport, IsReadBackAsItWasWritten) {
+  const TemporaryFolder folder;
+  writeText(folder / "scores.csv", sweepCsv(sweep()));
+  const auto back = readSweepCsv(folder / "scores.csv");
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->axes[0].name, "voxel_m");
+  EXPECT_EQ(sweepCsv(*back), sweepCsv(sweep()));
+  // The scores of a single experiment are no sweep.
+  writeText(folder / "scores.csv", scoresCsv({row("hydra", "f1", 0.5)}));
+  EXPECT_FALSE(readSweepCsv(folder / "scores.csv"));
 }
 
 TEST(SweepReport, HasARowForEveryMethodAndPoint) {

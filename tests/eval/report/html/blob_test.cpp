@@ -12,7 +12,7 @@ namespace {
 
 TEST(Gzip, ComesBackAsItWas) {
   std::string bytes;
-  for (int i = 0; i < 200000; ++i) bytes += static_cast<char>(i * i / 7);
+  for (unsigned i = 0; i < 200000; ++i) bytes += static_cast<char>(i * i / 7);
   EXPECT_EQ(gunzipped(gzipped(bytes)), bytes);
   EXPECT_EQ(gunzipped(gzipped("")), "");
   EXPECT_LT(gzipped(std::string(100000, 'a')).size(), 200u);

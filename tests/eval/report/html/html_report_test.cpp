@@ -16,7 +16,6 @@ namespace hydrabench {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 ScoreRow row(const std::string& method, double f1) {
   return {"office", "1", method, kAllMicro, "tau_m", 0.5, kMatchingOneToOne,
@@ -33,6 +32,10 @@ class HtmlReportTest : public ::testing::Test {
     }
   }
   std::string page() { return htmlReport(folder_.path()).page; }
+  /// Not HasSubstr: a failure would print the page.
+  static bool has(const std::string& page, const std::string& text) {
+    return page.find(text) != std::string::npos;
+  }
 
   TemporaryFolder folder_;
 };
@@ -40,18 +43,18 @@ class HtmlReportTest : public ::testing::Test {
 TEST_F(HtmlReportTest, AResultWithoutPredictionsHasTablesAndASentenceForTheScene) {
   writeText(folder_ / "scores.csv", scoresCsv({row("hydra", 0.5), row("</script>", 0.25)}));
   const std::string text = page();
-  EXPECT_THAT(text, HasSubstr(R"("name":"hydra","label":"Hydra")"));
-  EXPECT_THAT(text, HasSubstr("This folder holds no predictions"));
-  EXPECT_THAT(text, HasSubstr(R"("name":"\u003c/script>")"));
-  EXPECT_THAT(text, Not(HasSubstr(R"("</script>")")));
+  EXPECT_TRUE(has(text, R"("name":"hydra","label":"Hydra")"));
+  EXPECT_TRUE(has(text, "This folder holds no predictions"));
+  EXPECT_TRUE(has(text, R"("name":"\u003c/script>")"));
+  EXPECT_FALSE(has(text, R"("</script>")"));
 }
 
 TEST_F(HtmlReportTest, NothingIsFetched) {
   writeText(folder_ / "scores.csv", scoresCsv({row("hydra", 0.5)}));
   const std::string text = page();
-  EXPECT_THAT(text, HasSubstr("default-src 'none'"));
-  EXPECT_THAT(text, Not(HasSubstr("<script src")));
-  EXPECT_THAT(text, Not(HasSubstr("<link rel=\"stylesheet\"")));
+  EXPECT_TRUE(has(text, "default-src 'none'"));
+  EXPECT_FALSE(has(text, "<script src"));
+  EXPECT_FALSE(has(text, "<link rel=\"stylesheet\""));
 }
 
 TEST_F(HtmlReportTest, ASweepHasItsPlotsAndItsTable) {
@@ -61,9 +64,9 @@ TEST_F(HtmlReportTest, ASweepHasItsPlotsAndItsTable) {
   writeText(folder_ / "config.yaml",
             "axes:\n  - name: voxel_size_m\n    title: \"voxel size [m]\"\nexperiment:\n");
   const std::string text = page();
-  EXPECT_THAT(text, HasSubstr(R"("points":[[0.1,0.5],[0.2,0.25]])"));
-  EXPECT_THAT(text, HasSubstr("Hydra, voxel_size_m 0.2"));
-  EXPECT_THAT(text, HasSubstr(R"("x_label":"voxel size [m]")"));
+  EXPECT_TRUE(has(text, R"("points":[[0.1,0.5],[0.2,0.25]])"));
+  EXPECT_TRUE(has(text, "Hydra, voxel_size_m 0.2"));
+  EXPECT_TRUE(has(text, R"("x_label":"voxel size [m]")"));
 }
 
 TEST_F(HtmlReportTest, AFolderOfSomethingElseIsRefused) {
