@@ -117,7 +117,7 @@ class Stretches {
     line.high = change->interval.high;
     // Two runs never take the same time: a little faster is the same, as a little slower is.
     const bool one_run = std::all_of(sums_.begin(), sums_.end(),
-                                     [](const PairedValue& sum) { return sum.a == sum.b; });
+                                     [](const PairedValue& times) { return times.a == times.b; });
     if (one_run) {
       line.verdict = Verdict::kSame;
     } else if (sums_.size() < kFewestStretches) {
