@@ -31,7 +31,7 @@ Hydra::Hydra(const Config& config, const LabelSpace& label_space)
       window_(config.window),
       objects_(config.objects, objectLabels(label_space)) {}
 
-void Hydra::process(const RgbdFrame& frame) {
+void Hydra::process(const Frame& frame) {
   if (frame.labels.empty()) {
     throw InputError(
         fmt::format("hydra: the frame at {} ns has no label image; expected one", frame.stamp_ns));

@@ -62,7 +62,7 @@ class Hydra : public MappingSystem {
   Hydra(const Config& config, const LabelSpace& label_space);
 
   /// Throws InputError where the frame has no label image.
-  void process(const RgbdFrame& frame) override;
+  void process(const Frame& frame) override;
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }
 

@@ -17,7 +17,7 @@ Khronos::Khronos(const Config& config, const LabelSpace& label_space)
       reconstruction_(config.reconstruction),
       objects_(config.min_merge_iou) {}
 
-void Khronos::process(const RgbdFrame& frame) {
+void Khronos::process(const Frame& frame) {
   bufferFrame(frame, front_end_.process(frame, times_));
   if (!front_end_.updateMesh(frame, times_)) return;
   const StageTimes::Scope stage(times_, "extract");
@@ -37,7 +37,7 @@ SceneGraph Khronos::finish() {
   return graph;
 }
 
-void Khronos::bufferFrame(const RgbdFrame& frame, FrameCandidates&& candidates) {
+void Khronos::bufferFrame(const Frame& frame, FrameCandidates&& candidates) {
   if (candidates.candidates.empty()) return;  // no track refers to it
   buffer_.add(bufferedFrame(frame, std::move(candidates.ids)));
 }

@@ -66,7 +66,7 @@ class Khronos : public MappingSystem {
   Khronos(const Config& config, const LabelSpace& label_space);
 
   /// Throws InputError where the frame lacks the image that the candidates are taken from.
-  void process(const RgbdFrame& frame) override;
+  void process(const Frame& frame) override;
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }
   std::vector<std::string> notes() const override;
@@ -75,7 +75,7 @@ class Khronos : public MappingSystem {
   const ActiveWindow& window() const { return front_end_.window(); }
 
  private:
-  void bufferFrame(const RgbdFrame& frame, FrameCandidates&& candidates);
+  void bufferFrame(const Frame& frame, FrameCandidates&& candidates);
   void extractObjects(const std::vector<Track>& ended);
 
   Config config_;

@@ -26,7 +26,7 @@ double median(std::vector<double>& values) {
   return *place;
 }
 
-InstanceMeasurement measure(const RgbdFrame& frame, const ObjectCandidate& candidate,
+InstanceMeasurement measure(const Frame& frame, const ObjectCandidate& candidate,
                             const InstanceMeasurementConfig& config) {
   std::vector<float> depths;
   depths.reserve(candidate.pixels.size());
@@ -63,7 +63,7 @@ bool largeEnough(const InstanceMeasurement& measurement, double min_extent_m) {
 
 }  // namespace
 
-std::vector<InstanceMeasurement> measureInstances(const RgbdFrame& frame,
+std::vector<InstanceMeasurement> measureInstances(const Frame& frame,
                                                   const FrameCandidates& candidates,
                                                   const InstanceMeasurementConfig& config) {
   std::vector<const ObjectCandidate*> ordered;

@@ -31,7 +31,7 @@ struct InstanceMeasurementConfig {
 /// In the order of the candidates' first pixels, whatever their ids are. In parallel over
 /// candidates; results do not depend on the number of threads.
 /// @param candidates  of the same frame; their pixels have a depth
-std::vector<InstanceMeasurement> measureInstances(const RgbdFrame& frame,
+std::vector<InstanceMeasurement> measureInstances(const Frame& frame,
                                                   const FrameCandidates& candidates,
                                                   const InstanceMeasurementConfig& config);
 

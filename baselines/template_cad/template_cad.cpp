@@ -80,7 +80,7 @@ TemplateCad::TemplateCad(const Config& config, const LabelSpace& label_space)
   }
 }
 
-void TemplateCad::process(const RgbdFrame& frame) {
+void TemplateCad::process(const Frame& frame) {
   std::vector<InstanceMeasurement> measurements;
   {
     const StageTimes::Scope stage(times_, "measure");

@@ -81,7 +81,7 @@ class TemplateCad : public MappingSystem {
   TemplateCad(const Config& config, const LabelSpace& label_space);
 
   /// Throws InputError where the frame lacks the image that the candidates are taken from.
-  void process(const RgbdFrame& frame) override;
+  void process(const Frame& frame) override;
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }
   std::vector<std::string> notes() const override;

@@ -10,7 +10,7 @@ namespace hydrabench {
 namespace {
 
 template <typename Pixel>
-void requireSize(const RgbdFrame& frame, const char* name, const Image<Pixel>& image) {
+void requireSize(const Frame& frame, const char* name, const Image<Pixel>& image) {
   const Camera& camera = frame.camera;
   if (image.empty() || (image.width() == camera.width && image.height() == camera.height)) return;
   throw InputError(fmt::format(
@@ -21,7 +21,7 @@ void requireSize(const RgbdFrame& frame, const char* name, const Image<Pixel>& i
 
 }  // namespace
 
-void requireUsable(const RgbdFrame& frame) {
+void requireUsable(const Frame& frame) {
   if (frame.depth.empty()) {
     throw InputError(fmt::format("the frame at {} ns has no depth image; expected {} x {} pixels",
                                  frame.stamp_ns, frame.camera.width, frame.camera.height));

@@ -12,7 +12,7 @@ namespace hydrabench {
 
 /// Throws InputError, naming the stamp and what is wrong, unless the frame has a depth image, all
 /// images it has are of the camera's size, and its pose is finite.
-void requireUsable(const RgbdFrame& frame);
+void requireUsable(const Frame& frame);
 
 /// Throws InputError, naming the stamp, where cells of a grid around a position have numbers above
 /// 2^30: they would soon not fit into an int, and the map would be silently wrong.

@@ -85,7 +85,7 @@ RangeTiles::Bounds RangeTiles::over(int u0, int v0, int u1, int v1) const {
   return all;
 }
 
-SensorView sensorView(const RgbdFrame& frame, double min_range_m, double max_range_m) {
+SensorView sensorView(const Frame& frame, double min_range_m, double max_range_m) {
   requireUsable(frame);
   const Camera& camera = frame.camera;
   const Image<float>& depth = frame.depth;

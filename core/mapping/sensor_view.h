@@ -50,7 +50,7 @@ struct SensorView {
 /// Ranges from the z-depth of a frame. Points to the frame's colours and labels, empty images
 /// excepted. Throws InputError where the frame is not usable, see requireUsable().
 /// @param max_range_m  voxels beyond it are not updated
-SensorView sensorView(const RgbdFrame& frame, double min_range_m, double max_range_m);
+SensorView sensorView(const Frame& frame, double min_range_m, double max_range_m);
 
 /// Sets view.tiles and view.max_measured_m from view.range.
 void summarizeRange(SensorView& view);

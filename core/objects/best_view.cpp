@@ -9,7 +9,7 @@
 
 namespace hydrabench {
 
-double seenVolume(const RgbdFrame& frame, const ObjectCandidate& candidate, double trim) {
+double seenVolume(const Frame& frame, const ObjectCandidate& candidate, double trim) {
   if (trim <= 0) return candidate.box.volume();
   constexpr std::size_t kPoints = 2000;
   const std::size_t step = candidate.pixels.size() / kPoints + 1;
@@ -63,7 +63,7 @@ std::vector<TrackView> BestViews::ordered() const {
   return views;
 }
 
-Image<std::uint16_t> instanceMasks(const RgbdFrame& frame, const FrameCandidates& candidates) {
+Image<std::uint16_t> instanceMasks(const Frame& frame, const FrameCandidates& candidates) {
   std::map<InstanceId, std::uint16_t> id_of;
   for (const ObjectCandidate& candidate : candidates.candidates) {
     if (candidate.dynamic) continue;
@@ -80,7 +80,7 @@ Image<std::uint16_t> instanceMasks(const RgbdFrame& frame, const FrameCandidates
 }
 
 ShapeObservation shapeObservation(const TrackView& view, Label label) {
-  const RgbdFrame& frame = view.frame->frame;
+  const Frame& frame = view.frame->frame;
   ShapeObservation observation;
   observation.stamp_ns = frame.stamp_ns;
   observation.camera = frame.camera;

@@ -29,7 +29,7 @@ struct TrackView {
 /// such points can be cut off.
 /// @param trim  share of the points to cut off at either end of each axis; 0: the box as it is.
 ///              Above, it is taken from some 2000 of the pixels.
-double seenVolume(const RgbdFrame& frame, const ObjectCandidate& candidate, double trim);
+double seenVolume(const Frame& frame, const ObjectCandidate& candidate, double trim);
 
 /// The best views of a track, kept while it grows, so that a long track needs no more memory than a
 /// short one.
@@ -61,7 +61,7 @@ class BestViews {
 /// Ids of a frame's candidates with the pixels added that belong to their instances but measured no
 /// depth: a candidate has measured pixels only, the mask of the paper is that of the instance.
 /// @param candidates  taken from the frame's instances; moving ones stay as they are
-Image<std::uint16_t> instanceMasks(const RgbdFrame& frame, const FrameCandidates& candidates);
+Image<std::uint16_t> instanceMasks(const Frame& frame, const FrameCandidates& candidates);
 
 /// What a shape estimator gets of a view: the frame's images and the object's pixels as a mask.
 ShapeObservation shapeObservation(const TrackView& view, Label label);

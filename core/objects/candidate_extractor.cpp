@@ -41,7 +41,7 @@ CandidateExtractor::CandidateExtractor(const Config& config, const LabelSpace& l
   }
 }
 
-void CandidateExtractor::requireImage(const RgbdFrame& frame) const {
+void CandidateExtractor::requireImage(const Frame& frame) const {
   const bool by_instance = config_.source == "instances";
   if (!(by_instance ? frame.instances : frame.labels).empty()) return;
   throw InputError(fmt::format(
@@ -49,7 +49,7 @@ void CandidateExtractor::requireImage(const RgbdFrame& frame) const {
       by_instance ? "instance" : "label", by_instance ? "connected_semantics" : "instances"));
 }
 
-std::vector<ObjectCandidate> CandidateExtractor::labelled(const RgbdFrame& frame,
+std::vector<ObjectCandidate> CandidateExtractor::labelled(const Frame& frame,
                                                           const SensorView& view,
                                                           const MotionDetection* motion) const {
   const bool by_instance = config_.source == "instances";
@@ -116,7 +116,7 @@ bool CandidateExtractor::withinVolume(const ObjectCandidate& candidate) const {
          (config_.max_volume_m3 <= 0 || volume <= config_.max_volume_m3);
 }
 
-FrameCandidates CandidateExtractor::extract(const RgbdFrame& frame, const SensorView& view,
+FrameCandidates CandidateExtractor::extract(const Frame& frame, const SensorView& view,
                                             const MotionDetection* motion) const {
   requireImage(frame);
   requireInsideGrid(frame.stamp_ns, frame.T_world_camera.translation(),

@@ -46,12 +46,12 @@ class CandidateExtractor {
   /// own. Throws InputError where the frame does not have the image of the source.
   /// @param view    of the same frame
   /// @param motion  moving things, whose pixels no other candidate gets; may be null
-  FrameCandidates extract(const RgbdFrame& frame, const SensorView& view,
+  FrameCandidates extract(const Frame& frame, const SensorView& view,
                           const MotionDetection* motion = nullptr) const;
 
  private:
-  void requireImage(const RgbdFrame& frame) const;
-  std::vector<ObjectCandidate> labelled(const RgbdFrame& frame, const SensorView& view,
+  void requireImage(const Frame& frame) const;
+  std::vector<ObjectCandidate> labelled(const Frame& frame, const SensorView& view,
                                         const MotionDetection* motion) const;
   void measure(const PixelPoints& points, int width, ObjectCandidate& candidate) const;
   bool withinVolume(const ObjectCandidate& candidate) const;

@@ -8,8 +8,7 @@
 
 namespace hydrabench {
 
-std::shared_ptr<const BufferedFrame> bufferedFrame(const RgbdFrame& frame,
-                                                   Image<std::uint16_t> ids) {
+std::shared_ptr<const BufferedFrame> bufferedFrame(const Frame& frame, Image<std::uint16_t> ids) {
   auto kept = std::make_shared<BufferedFrame>();
   kept->frame.stamp_ns = frame.stamp_ns;
   kept->frame.camera = frame.camera;

@@ -15,15 +15,14 @@ namespace hydrabench {
 
 /// A frame as it is kept for looking back: what reconstruction and shape estimation need of it.
 struct BufferedFrame {
-  RgbdFrame frame;           ///< without labels and instances: `ids` has what became of them
+  Frame frame;               ///< without labels and instances: `ids` has what became of them
   Image<std::uint16_t> ids;  ///< of the candidates
 
   std::int64_t stampNs() const { return frame.stamp_ns; }
 };
 
 /// Copies what is kept of a frame.
-std::shared_ptr<const BufferedFrame> bufferedFrame(const RgbdFrame& frame,
-                                                   Image<std::uint16_t> ids);
+std::shared_ptr<const BufferedFrame> bufferedFrame(const Frame& frame, Image<std::uint16_t> ids);
 
 /// The last frames, at most `capacity`; the oldest goes first. Frames are shared, so that whoever
 /// works on one keeps it.

@@ -51,7 +51,7 @@ HydraPlusPlus::HydraPlusPlus(const Config& config, const LabelSpace& label_space
       front_end_(config, label_space),
       queue_(config.estimation.workers, static_cast<std::size_t>(config.estimation.queue)) {}
 
-void HydraPlusPlus::process(const RgbdFrame& frame) {
+void HydraPlusPlus::process(const Frame& frame) {
   const FrameCandidates candidates = front_end_.process(frame, times_);
   keepViews(frame, candidates);
   if (!front_end_.updateMesh(frame, times_)) return;
@@ -76,7 +76,7 @@ SceneGraph HydraPlusPlus::finish() {
   return graph;
 }
 
-void HydraPlusPlus::keepViews(const RgbdFrame& frame, const FrameCandidates& candidates) {
+void HydraPlusPlus::keepViews(const Frame& frame, const FrameCandidates& candidates) {
   const StageTimes::Scope stage(times_, "views");
   std::shared_ptr<const BufferedFrame> kept;  // made once, if any track wants it
   const auto keep = [&] {

@@ -68,7 +68,7 @@ class HydraPlusPlus : public MappingSystem {
 
   /// Throws InputError where the frame lacks the image that the candidates are taken from, and what
   /// the estimator threw for an earlier frame.
-  void process(const RgbdFrame& frame) override;
+  void process(const Frame& frame) override;
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }
   /// How many tracks came to what; after finish().
@@ -82,7 +82,7 @@ class HydraPlusPlus : public MappingSystem {
     ShapeCandidate candidate;
     StageTimes times;
   };
-  void keepViews(const RgbdFrame& frame, const FrameCandidates& candidates);
+  void keepViews(const Frame& frame, const FrameCandidates& candidates);
   void estimateShapes(std::vector<Track> ended);
   Estimated estimated(const EndedTrack& ended) const;  ///< on a worker's thread
   void collectEstimates(bool all);

@@ -18,7 +18,7 @@ class MappingSystem {
  public:
   virtual ~MappingSystem() = default;
   /// Frames come in order of their stamps.
-  virtual void process(const RgbdFrame& frame) = 0;
+  virtual void process(const Frame& frame) = 0;
   /// The end of the sequence: everything still open is closed. Once, and no frame after it.
   virtual SceneGraph finish() = 0;
   /// Time per stage so far. A stage is a part of process() or finish(), under a name of its own;

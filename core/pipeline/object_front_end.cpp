@@ -23,7 +23,7 @@ ObjectFrontEnd::ObjectFrontEnd(const Config& config, const LabelSpace& label_spa
       extractor_(config.candidates, label_space),
       tracker_(config.tracker) {}
 
-FrameCandidates ObjectFrontEnd::process(const RgbdFrame& frame, StageTimes& times) {
+FrameCandidates ObjectFrontEnd::process(const Frame& frame, StageTimes& times) {
   SensorView view = sensorView(frame, config_.min_range_m, config_.max_range_m);
   {
     const StageTimes::Scope stage(times, "motion");
@@ -45,7 +45,7 @@ FrameCandidates ObjectFrontEnd::process(const RgbdFrame& frame, StageTimes& time
   return candidates;
 }
 
-bool ObjectFrontEnd::updateMesh(const RgbdFrame& frame, StageTimes& times) {
+bool ObjectFrontEnd::updateMesh(const Frame& frame, StageTimes& times) {
   if (!window_.updateDue(frame.stamp_ns)) return false;
   const StageTimes::Scope stage(times, "mesh");
   window_.update(frame.stamp_ns, frame.T_world_camera.translation());
@@ -58,7 +58,7 @@ void ObjectFrontEnd::detectMotion(const SensorView& view) {
                 : MotionDetection{Image<std::uint8_t>(view.range.width(), view.range.height()), {}};
 }
 
-Image<std::uint8_t> ObjectFrontEnd::staticMapMask(const RgbdFrame& frame) const {
+Image<std::uint8_t> ObjectFrontEnd::staticMapMask(const Frame& frame) const {
   Image<std::uint8_t> mask = motion_.ids;
   if (!frame.labels.empty()) maskClasses(frame.labels, dynamic_labels_, mask);
   return mask;

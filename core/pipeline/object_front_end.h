@@ -37,10 +37,10 @@ class ObjectFrontEnd {
   /// Stages: motion, candidates, track, integrate. Throws InputError where the frame lacks the
   /// image that the candidates are taken from.
   /// @return  the candidates of the frame, observed by the tracker's tracks
-  FrameCandidates process(const RgbdFrame& frame, StageTimes& times);
+  FrameCandidates process(const Frame& frame, StageTimes& times);
   /// If it is time to, updates the mesh of the window (stage mesh) and returns true: Khronos ends
   /// tracks then.
-  bool updateMesh(const RgbdFrame& frame, StageTimes& times);
+  bool updateMesh(const Frame& frame, StageTimes& times);
 
   MaxIouTracker& tracker() { return tracker_; }
   const MaxIouTracker& tracker() const { return tracker_; }
@@ -49,7 +49,7 @@ class ObjectFrontEnd {
 
  private:
   void detectMotion(const SensorView& view);
-  Image<std::uint8_t> staticMapMask(const RgbdFrame& frame) const;
+  Image<std::uint8_t> staticMapMask(const Frame& frame) const;
 
   Config config_;
   std::vector<Label> dynamic_labels_;

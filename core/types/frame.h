@@ -4,18 +4,20 @@
 
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include "core/geometry/camera.h"
 #include "core/geometry/transform.h"
 #include "core/types/color.h"
 #include "core/types/ids.h"
 #include "core/types/image.h"
+#include "core/types/lidar_scan.h"
 
 namespace hydrabench {
 
 /// What a method sees at one instant. All images have the size of the camera; an image may be empty
 /// where a dataset has none.
-struct RgbdFrame {
+struct Frame {
   std::int64_t stamp_ns = 0;
   Camera camera;
   Transform T_world_camera = Transform::Identity();  ///< as given by odometry, drift included
@@ -26,6 +28,9 @@ struct RgbdFrame {
       instances;  ///< per-frame instance of each pixel; kNoInstance where there is none
   std::map<InstanceId, Label>
       instance_labels;  ///< class of every instance that occurs in `instances`
+  /// Sweeps that ended after the frame before this one and not after stamp_ns, in the order of
+  /// time.
+  std::vector<LidarScan> scans;
 };
 
 }  // namespace hydrabench

@@ -45,7 +45,7 @@ void save(const std::filesystem::path& path, const Image<Rgb>& picture) {
 }
 
 /// True instances above what the method is given; empty where the dataset knows no difference.
-Image<Rgb> maskPicture(const SimulatedDataset& dataset, std::size_t index, const RgbdFrame& given) {
+Image<Rgb> maskPicture(const SimulatedDataset& dataset, std::size_t index, const Frame& given) {
   const RenderedView view =
       dataset.renderer().render(dataset.camera(), dataset.trajectory()[index].T_world_camera);
   Image<InstanceId> true_instances(view.objects.width(), view.objects.height());
@@ -68,7 +68,7 @@ void viewDataset(const Options& options) {
   for (std::size_t i = 0; i < count; ++i) {
     // Evenly spread, away from both ends of the drive.
     const std::size_t index = (2 * i + 1) * dataset.numFrames() / (2 * count);
-    const RgbdFrame frame = dataset.frame(index);
+    const Frame frame = dataset.frame(index);
     save(options.out / fmt::format("frame_{:06}.png", index), framePicture(frame));
     if (simulated) {
       save(options.out / fmt::format("masks_{:06}.png", index),

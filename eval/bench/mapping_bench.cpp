@@ -17,10 +17,10 @@ constexpr std::size_t kFrames = 300;
 
 /// The first 30 s of the drive through the office; frames 720 x 480, drawn before anything is
 /// measured.
-const std::vector<RgbdFrame>& drive() {
-  static const std::vector<RgbdFrame> frames = [] {
+const std::vector<Frame>& drive() {
+  static const std::vector<Frame> frames = [] {
     const SimulatedDataset dataset(SimulatedConfig::forWorld("office"));
-    std::vector<RgbdFrame> all;
+    std::vector<Frame> all;
     for (std::size_t i = 0; i < kFrames; ++i) all.push_back(dataset.frame(i));
     return all;
   }();
@@ -31,13 +31,13 @@ const std::vector<RgbdFrame>& drive() {
 /// frame (0.2 s) the mesh and the archival. Voxels of 0.1 m, 5 m range. The time of one iteration
 /// is that of a frame; the counters tell the middle and the worst frame [ms].
 void mapFrame(benchmark::State& state) {
-  const std::vector<RgbdFrame>& frames = drive();
+  const std::vector<Frame>& frames = drive();
   std::vector<double> times_ms;
   ActiveWindow window{{}};
   std::size_t next = 0;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const RgbdFrame& frame = frames[next++];
+    const Frame& frame = frames[next++];
     window.integrate(sensorView(frame, 0.1, 5));
     if (window.updateDue(frame.stamp_ns)) {
       window.update(frame.stamp_ns, frame.T_world_camera.translation());
@@ -56,7 +56,7 @@ BENCHMARK(mapFrame)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(kF
 void meshOfAllBlocks(benchmark::State& state) {
   static const ActiveWindow* const window = [] {
     auto* made = new ActiveWindow{{}};
-    for (const RgbdFrame& frame : drive()) made->integrate(sensorView(frame, 0.1, 5));
+    for (const Frame& frame : drive()) made->integrate(sensorView(frame, 0.1, 5));
     return made;
   }();
   const std::vector<BlockIndex> blocks = window->volume().blockIndices();

@@ -12,10 +12,10 @@
 namespace hydrabench {
 
 /// 100 consecutive frames of the built-in office, 720 x 480, rendered before anything is measured.
-inline const std::vector<RgbdFrame>& officeFrames() {
-  static const std::vector<RgbdFrame> frames = [] {
+inline const std::vector<Frame>& officeFrames() {
+  static const std::vector<Frame> frames = [] {
     const SimulatedDataset dataset(SimulatedConfig::forWorld("office"));
-    std::vector<RgbdFrame> drive;
+    std::vector<Frame> drive;
     for (std::size_t i = 400; i < 500; ++i) drive.push_back(dataset.frame(i));
     return drive;
   }();

@@ -15,7 +15,7 @@ namespace hydrabench {
 namespace {
 
 /// The frame as Open3D wants it, depths beyond the limit left out; made before the clock runs.
-open3d::geometry::RGBDImage open3dImage(const RgbdFrame& frame, float max_depth_m) {
+open3d::geometry::RGBDImage open3dImage(const Frame& frame, float max_depth_m) {
   open3d::geometry::Image color;
   color.Prepare(frame.color.width(), frame.color.height(), 3, 1);
   static_assert(sizeof(Rgb) == 3);
@@ -36,9 +36,9 @@ open3d::geometry::RGBDImage open3dImage(const RgbdFrame& frame, float max_depth_
 /// labels.
 void integrateOfficeFrameOpen3d(benchmark::State& state) {
   namespace integration = open3d::pipelines::integration;
-  const std::vector<RgbdFrame>& frames = officeFrames();
+  const std::vector<Frame>& frames = officeFrames();
   std::vector<open3d::geometry::RGBDImage> images;
-  for (const RgbdFrame& frame : frames) images.push_back(open3dImage(frame, 5));
+  for (const Frame& frame : frames) images.push_back(open3dImage(frame, 5));
   const Camera& c = frames.front().camera;
   const open3d::camera::PinholeCameraIntrinsic camera(c.width, c.height, c.fx, c.fy, c.cx, c.cy);
   integration::ScalableTSDFVolume volume(0.1, 0.3, integration::TSDFVolumeColorType::RGB8, 16, 4);

@@ -19,7 +19,7 @@ constexpr double kMaxRange = 5;    // [m]
 /// Depth to fused volume at 0.1 m with colours and labels, frame after frame into one growing map.
 /// p50_ms is of single frames; voxels_per_s counts the voxels of the blocks that a frame changed.
 void integrateOfficeFrame(benchmark::State& state) {
-  const std::vector<RgbdFrame>& frames = officeFrames();
+  const std::vector<Frame>& frames = officeFrames();
   setNumThreads(static_cast<int>(state.range(0)));
   const TsdfIntegrator integrator({});
   TsdfVolume volume({});
@@ -48,7 +48,7 @@ BENCHMARK(integrateOfficeFrame)
     ->MinTime(2);
 
 void viewOfOfficeFrame(benchmark::State& state) {
-  const std::vector<RgbdFrame>& frames = officeFrames();
+  const std::vector<Frame>& frames = officeFrames();
   setNumThreads(static_cast<int>(state.range(0)));
   std::size_t next = 0;
   for (auto _ : state)
@@ -65,7 +65,7 @@ BENCHMARK(viewOfOfficeFrame)
 /// One frame into the blocks of one object, as reconstruction does per track and frame: a cube of
 /// 0.8 m in voxels of 2 cm, 1.5 m ahead.
 void integrateIntoObjectBlocks(benchmark::State& state) {
-  const RgbdFrame& frame = officeFrames().front();
+  const Frame& frame = officeFrames().front();
   setNumThreads(static_cast<int>(state.range(0)));
   const SensorView view = sensorView(frame, kMinRange, kMaxRange);
   TsdfVolume volume(

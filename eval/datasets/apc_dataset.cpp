@@ -102,8 +102,8 @@ Image<InstanceId> ApcDataset::predictedMasks(std::size_t index) const {
   return instances;
 }
 
-RgbdFrame ApcDataset::frame(std::size_t index) const {
-  RgbdFrame frame;
+Frame ApcDataset::frame(std::size_t index) const {
+  Frame frame;
   frame.stamp_ns = trajectory().at(index).stamp_ns;
   frame.T_world_camera = trajectory()[index].T_world_camera;
   frame.camera = camera_;

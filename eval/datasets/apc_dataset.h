@@ -31,7 +31,7 @@ class ApcDataset : public Dataset {
   const LabelSpace& labelSpace() const override { return label_space_; }
   const Camera& camera() const override { return camera_; }
   std::size_t numFrames() const override { return trajectory().size(); }
-  RgbdFrame frame(std::size_t index) const override;
+  Frame frame(std::size_t index) const override;
   const GroundTruth& groundTruth() const override { return ground_truth_; }
   bool hasGroundTruth() const override { return false; }
 

@@ -59,8 +59,7 @@ class Dataset {
   virtual const LabelSpace& labelSpace() const = 0;
   virtual const Camera& camera() const = 0;
   virtual std::size_t numFrames() const = 0;
-  virtual RgbdFrame frame(
-      std::size_t index) const = 0;  ///< throws InputError naming the file at fault
+  virtual Frame frame(std::size_t index) const = 0;  ///< throws InputError naming the file at fault
   /// What the evaluation compares with. Never handed to a method.
   virtual const GroundTruth& groundTruth() const = 0;
   /// False where the dataset has no trustworthy objects to score against (real recordings).

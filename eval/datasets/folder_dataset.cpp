@@ -73,8 +73,8 @@ FolderDataset::FolderDataset(Config config) : config_(std::move(config)) {
   }
 }
 
-RgbdFrame FolderDataset::frame(std::size_t index) const {
-  RgbdFrame frame;
+Frame FolderDataset::frame(std::size_t index) const {
+  Frame frame;
   frame.stamp_ns = poses_.at(index).stamp_ns;
   frame.T_world_camera = poses_[index].T_world_camera;
   frame.camera = config_.camera;
@@ -92,7 +92,7 @@ RgbdFrame FolderDataset::frame(std::size_t index) const {
   return frame;
 }
 
-void FolderDataset::readDepth(std::size_t index, RgbdFrame& frame) const {
+void FolderDataset::readDepth(std::size_t index, Frame& frame) const {
   fs::path path = config_.folder / layout::image(layout::kDepth, index, ".pfm");
   if (fs::exists(path)) {
     frame.depth = readDepthPfm(path);
@@ -109,7 +109,7 @@ void FolderDataset::readDepth(std::size_t index, RgbdFrame& frame) const {
   }
 }
 
-void FolderDataset::readInstances(std::size_t index, RgbdFrame& frame) const {
+void FolderDataset::readInstances(std::size_t index, Frame& frame) const {
   const fs::path path = config_.folder / layout::image(layout::kInstances, index, ".png");
   frame.instances = widened(readCameraGray(path, config_.camera));
   frame.instance_labels = instance_labels_[index];

@@ -37,14 +37,14 @@ class FolderDataset : public Dataset {
   const LabelSpace& labelSpace() const override { return config_.label_space; }
   const Camera& camera() const override { return config_.camera; }
   std::size_t numFrames() const override { return poses_.size(); }
-  RgbdFrame frame(std::size_t index) const override;
+  Frame frame(std::size_t index) const override;
   const GroundTruth& groundTruth() const override { return ground_truth_; }
   bool hasGroundTruth() const override { return !ground_truth_.objects.empty(); }
 
  private:
   bool has(const char* kind) const { return std::filesystem::is_directory(config_.folder / kind); }
-  void readDepth(std::size_t index, RgbdFrame& frame) const;
-  void readInstances(std::size_t index, RgbdFrame& frame) const;
+  void readDepth(std::size_t index, Frame& frame) const;
+  void readInstances(std::size_t index, Frame& frame) const;
 
   Config config_;
   std::vector<StampedPose> poses_;

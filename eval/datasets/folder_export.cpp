@@ -67,7 +67,7 @@ void writeDepth(const fs::path& folder, std::size_t index, double quantum_m,
 }
 
 FrameRecord writeFrame(const fs::path& folder, std::size_t index, double quantum_m,
-                       const RgbdFrame& frame) {
+                       const Frame& frame) {
   if (!frame.color.empty()) {
     writeColorPng(folder / layout::image(layout::kColor, index, ".png"), frame.color);
   }

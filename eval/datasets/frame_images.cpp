@@ -41,7 +41,7 @@ Image<std::int32_t> widened(const Image<std::uint16_t>& image) {
   return result;
 }
 
-void requireLabels(const RgbdFrame& frame, const std::filesystem::path& instances,
+void requireLabels(const Frame& frame, const std::filesystem::path& instances,
                    const char* where_labels_stand) {
   for (const InstanceId id : idsIn(frame.instances)) {
     if (frame.instance_labels.contains(id)) continue;

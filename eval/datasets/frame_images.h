@@ -31,7 +31,7 @@ Image<std::uint16_t> readCameraGray(const std::filesystem::path& path, const Cam
 Image<std::int32_t> widened(const Image<std::uint16_t>& image);
 
 /// Throws InputError naming the file and the id for an instance without a label.
-void requireLabels(const RgbdFrame& frame, const std::filesystem::path& instances,
+void requireLabels(const Frame& frame, const std::filesystem::path& instances,
                    const char* where_labels_stand);
 
 /// Only those of `labels` whose instance occurs in the image.

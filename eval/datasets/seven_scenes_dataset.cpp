@@ -90,9 +90,9 @@ void SevenScenesDataset::readInfo() {
   if (config_.align_to_floor) T_aligned_world_ = readPose(info.at("T_aligned_world"));
 }
 
-RgbdFrame SevenScenesDataset::frame(std::size_t index) const {
+Frame SevenScenesDataset::frame(std::size_t index) const {
   const int number = numbers_.at(index);
-  RgbdFrame frame;
+  Frame frame;
   frame.stamp_ns = ground_truth_.trajectory[index].stamp_ns;
   frame.T_world_camera = ground_truth_.trajectory[index].T_world_camera;
   frame.camera = camera_;

@@ -35,7 +35,7 @@ class SevenScenesDataset : public Dataset {
   const LabelSpace& labelSpace() const override { return config_.label_space; }
   const Camera& camera() const override { return camera_; }
   std::size_t numFrames() const override { return numbers_.size(); }
-  RgbdFrame frame(std::size_t index) const override;
+  Frame frame(std::size_t index) const override;
   const GroundTruth& groundTruth() const override { return ground_truth_; }
   bool hasGroundTruth() const override { return false; }
 

@@ -76,7 +76,7 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
   std::int64_t first_stamp_ns = 0;
   const auto failed = [](const MethodRun& run) { return !run.failure.empty(); };
   for (std::size_t i = 0; i < count && !std::all_of(runs.begin(), runs.end(), failed); ++i) {
-    const RgbdFrame frame = dataset.frame(i);
+    const Frame frame = dataset.frame(i);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       attempt(runs[m], [&] {
         Worker& worker = workers[m];

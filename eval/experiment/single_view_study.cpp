@@ -33,13 +33,13 @@ struct ObjectView {
 struct Chosen {
   double key = -1;
   ObjectView view;
-  RgbdFrame frame;
+  Frame frame;
 };
 
 /// Pixels per object, and what the mask of each is.
 class FrameViews {
  public:
-  FrameViews(const RgbdFrame& frame, const Image<std::int32_t>& truth,
+  FrameViews(const Frame& frame, const Image<std::int32_t>& truth,
              const SingleViewStudy::Views& config)
       : frame_(frame), truth_(truth), config_(config) {}
 
@@ -94,7 +94,7 @@ class FrameViews {
     return view;
   }
 
-  const RgbdFrame& frame_;
+  const Frame& frame_;
   const Image<std::int32_t>& truth_;
   const SingleViewStudy::Views& config_;
 };
@@ -105,7 +105,7 @@ std::map<std::size_t, Chosen> chooseViews(const SingleViewStudy& study, const Da
   std::map<std::size_t, Chosen> chosen;
   const auto step = static_cast<std::size_t>(study.views.frame_step);
   for (std::size_t i = 0; i < dataset.numFrames(); i += step) {
-    RgbdFrame frame = dataset.frame(i);
+    Frame frame = dataset.frame(i);
     const Image<std::int32_t> objects =
         truth.render(frame.camera, truth.cameraPose(frame.stamp_ns, frame.T_world_camera));
     for (ObjectView& view : FrameViews(frame, objects, study.views).all()) {
@@ -153,7 +153,7 @@ struct ViewCase {
 ViewCase makeCase(const Chosen& choice, std::size_t index, const TrueInstances& truth,
                   const LabelSpace& label_space, const ObjectModel::Config& config) {
   const GroundTruthObject& object = truth.objects()[index];
-  const RgbdFrame& frame = choice.frame;
+  const Frame& frame = choice.frame;
   ViewCase result{index,
                   {.stamp_ns = frame.stamp_ns,
                    .camera = frame.camera,

@@ -42,14 +42,14 @@ std::vector<std::string> OracleFrames::notes() const {
   return notes;
 }
 
-RgbdFrame OracleFrames::mended(const RgbdFrame& frame) {
-  RgbdFrame result = frame;
+Frame OracleFrames::mended(const Frame& frame) {
+  Frame result = frame;
   if (mends_.masks) giveTrueMasks(result);
   if (mends_.association) givePersistentIds(result);
   return result;
 }
 
-void OracleFrames::giveTrueMasks(RgbdFrame& frame) const {
+void OracleFrames::giveTrueMasks(Frame& frame) const {
   const Image<std::int32_t> seen =
       truth_->render(frame.camera, truth_->cameraPose(frame.stamp_ns, frame.T_world_camera));
   std::map<std::int32_t, InstanceId> id_of;
@@ -81,7 +81,7 @@ void OracleFrames::giveTrueMasks(RgbdFrame& frame) const {
   }
 }
 
-void OracleFrames::givePersistentIds(RgbdFrame& frame) {
+void OracleFrames::givePersistentIds(Frame& frame) {
   std::map<InstanceId, std::vector<std::uint32_t>> pixels_of;
   for (std::size_t i = 0; i < frame.instances.size(); ++i) {
     const InstanceId id = frame.instances.data()[i];

@@ -27,18 +27,18 @@ class OracleFrames : public MappingSystem {
   OracleFrames(std::unique_ptr<MappingSystem> system, std::shared_ptr<const TrueInstances> truth,
                const Mends& mends);
 
-  void process(const RgbdFrame& frame) override { system_->process(mended(frame)); }
+  void process(const Frame& frame) override { system_->process(mended(frame)); }
   SceneGraph finish() override { return system_->finish(); }
   const StageTimes& stageTimes() const override { return system_->stageTimes(); }
   std::vector<std::string> notes() const override;
   std::vector<ShapeCandidate> takeCandidates() override { return system_->takeCandidates(); }
 
-  RgbdFrame mended(const RgbdFrame& frame);
+  Frame mended(const Frame& frame);
   MappingSystem& system() { return *system_; }
 
  private:
-  void giveTrueMasks(RgbdFrame& frame) const;
-  void givePersistentIds(RgbdFrame& frame);
+  void giveTrueMasks(Frame& frame) const;
+  void givePersistentIds(Frame& frame);
 
   std::unique_ptr<MappingSystem> system_;
   std::shared_ptr<const TrueInstances> truth_;

@@ -66,13 +66,13 @@ void read(ConfigReader& reader, RgbdSensorConfig& config) {
   read(masks, config.masks);
 }
 
-RgbdFrame observe(const Scene& scene, const RgbdRenderer& renderer, const Transform& T_world_camera,
-                  const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index) {
+Frame observe(const Scene& scene, const RgbdRenderer& renderer, const Transform& T_world_camera,
+              const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index) {
   const Random frame_random(seed, index);
   const auto streamSeed = [&](std::uint64_t stream) { return frame_random.fork(stream).bits(); };
   RenderedView view = renderer.render(config.camera, T_world_camera);
 
-  RgbdFrame frame;
+  Frame frame;
   frame.camera = config.camera;
   frame.T_world_camera = T_world_camera;
   frame.depth = noisyDepth(view, config.camera, config.depth_noise, streamSeed(kDepthStream));

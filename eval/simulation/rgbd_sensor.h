@@ -28,7 +28,7 @@ void read(ConfigReader& reader, RgbdSensorConfig& config);
 
 /// Frame `index` as the sensor gives it: a pure function of (scene, pose, config, seed, index).
 /// Stamp and reported pose are left to the caller.
-RgbdFrame observe(const Scene& scene, const RgbdRenderer& renderer, const Transform& T_world_camera,
-                  const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index);
+Frame observe(const Scene& scene, const RgbdRenderer& renderer, const Transform& T_world_camera,
+              const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index);
 
 }  // namespace hydrabench

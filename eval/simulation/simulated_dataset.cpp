@@ -81,10 +81,10 @@ SimulatedDataset::SimulatedDataset(std::string name, std::shared_ptr<const Scene
       sensor_(sensor),
       seed_(seed) {}
 
-RgbdFrame SimulatedDataset::frame(std::size_t index) const {
+Frame SimulatedDataset::frame(std::size_t index) const {
   assert(index < trajectory_.size());
-  RgbdFrame frame = observe(*scene_, renderer_, trajectory_[index].T_world_camera, sensor_,
-                            hashSeed(seed_, kSensorStream), index);
+  Frame frame = observe(*scene_, renderer_, trajectory_[index].T_world_camera, sensor_,
+                        hashSeed(seed_, kSensorStream), index);
   frame.stamp_ns = trajectory_[index].stamp_ns;
   frame.T_world_camera = reported_poses_[index];
   return frame;

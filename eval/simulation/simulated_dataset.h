@@ -48,7 +48,7 @@ class SimulatedDataset : public Dataset {
   const LabelSpace& labelSpace() const override { return scene_->label_space; }
   const Camera& camera() const override { return sensor_.camera; }
   std::size_t numFrames() const override { return trajectory_.size(); }
-  RgbdFrame frame(std::size_t index) const override;
+  Frame frame(std::size_t index) const override;
   /// Visible fractions and the scene mesh are computed on the first call (seconds).
   const GroundTruth& groundTruth() const override;
 

@@ -117,7 +117,7 @@ Image<Rgb> reduced(const Image<Rgb>& picture, int factor) {
   return small;
 }
 
-Image<Rgb> framePicture(const RgbdFrame& frame, float max_depth_m) {
+Image<Rgb> framePicture(const Frame& frame, float max_depth_m) {
   std::vector<Image<Rgb>> pictures;
   if (!frame.color.empty()) pictures.push_back(frame.color);
   if (!frame.depth.empty()) pictures.push_back(depthPicture(frame.depth, max_depth_m));

@@ -25,6 +25,6 @@ Image<Rgb> sideBySide(const std::vector<Image<Rgb>>& pictures, int gap_px = 4);
 Image<Rgb> reduced(const Image<Rgb>& picture, int factor);
 
 /// Colour, depth and instances of a frame, side by side.
-Image<Rgb> framePicture(const RgbdFrame& frame, float max_depth_m = 5);
+Image<Rgb> framePicture(const Frame& frame, float max_depth_m = 5);
 
 }  // namespace hydrabench

@@ -45,7 +45,7 @@ std::vector<std::unique_ptr<MappingSystem>> methods() {
   return all;
 }
 
-RgbdFrame goodFrame() {
+Frame goodFrame() {
   MiniatureWorld world;
   world.addRoom(4, 4, 2.5);
   world.add(tinyChair(), miniature_label::kChair, 1);
@@ -53,7 +53,7 @@ RgbdFrame goodFrame() {
 }
 
 /// What a method says of a frame; empty: nothing.
-std::string faultOf(MappingSystem& method, const RgbdFrame& frame) {
+std::string faultOf(MappingSystem& method, const Frame& frame) {
   try {
     method.process(frame);
   } catch (const InputError& error) {
@@ -62,8 +62,8 @@ std::string faultOf(MappingSystem& method, const RgbdFrame& frame) {
   return "";
 }
 
-void expectRefused(const std::function<void(RgbdFrame&)>& spoil, const std::string& words) {
-  RgbdFrame frame = goodFrame();
+void expectRefused(const std::function<void(Frame&)>& spoil, const std::string& words) {
+  Frame frame = goodFrame();
   spoil(frame);
   for (const auto& method : methods()) {
     EXPECT_THAT(faultOf(*method, frame),
@@ -76,33 +76,33 @@ TEST(FrameFaults, AGoodFrameIsTaken) {
 }
 
 TEST(FrameFaults, EveryMethodNeedsDepth) {
-  expectRefused([](RgbdFrame& frame) { frame.depth = {}; }, "no depth image");
+  expectRefused([](Frame& frame) { frame.depth = {}; }, "no depth image");
 }
 
 TEST(FrameFaults, EveryImageHasTheSizeOfTheCamera) {
-  expectRefused([](RgbdFrame& frame) { frame.depth = Image<float>(9, 9, 1.0f); }, "depth image");
-  expectRefused([](RgbdFrame& frame) { frame.color = Image<Rgb>(9, 9); }, "color image");
-  expectRefused([](RgbdFrame& frame) { frame.labels = Image<Label>(9, 9, 5); }, "label image");
-  expectRefused([](RgbdFrame& frame) { frame.instances = Image<InstanceId>(9, 9, 1); },
+  expectRefused([](Frame& frame) { frame.depth = Image<float>(9, 9, 1.0f); }, "depth image");
+  expectRefused([](Frame& frame) { frame.color = Image<Rgb>(9, 9); }, "color image");
+  expectRefused([](Frame& frame) { frame.labels = Image<Label>(9, 9, 5); }, "label image");
+  expectRefused([](Frame& frame) { frame.instances = Image<InstanceId>(9, 9, 1); },
                 "instance image");
 }
 
 TEST(FrameFaults, PosesAreFiniteAndNotTooFarOut) {
-  expectRefused([](RgbdFrame& frame) { frame.T_world_camera.translation().x() = std::nan(""); },
+  expectRefused([](Frame& frame) { frame.T_world_camera.translation().x() = std::nan(""); },
                 "not finite");
-  expectRefused([](RgbdFrame& frame) { frame.T_world_camera.translation().x() = 2e8; },
+  expectRefused([](Frame& frame) { frame.T_world_camera.translation().x() = 2e8; },
                 "from the origin");
 }
 
 TEST(FrameFaults, AMissingImageThatAMethodNeedsDoesNotMeanThatThereIsNoObject) {
-  RgbdFrame unlabelled = goodFrame();
+  Frame unlabelled = goodFrame();
   unlabelled.labels = {};
   EXPECT_THAT(faultOf(*hydra(), unlabelled), HasSubstr("has no label image; expected one"));
   EXPECT_THAT(faultOf(*khronos("connected_semantics"), unlabelled), HasSubstr("no label image"));
   EXPECT_THAT(faultOf(*templateCad("connected_semantics"), unlabelled),
               HasSubstr("no label image"));
   EXPECT_EQ(faultOf(*khronos("instances"), unlabelled), "");
-  RgbdFrame without_instances = goodFrame();
+  Frame without_instances = goodFrame();
   without_instances.instances = {};
   EXPECT_THAT(faultOf(*khronos("instances"), without_instances), HasSubstr("no instance image"));
   EXPECT_THAT(faultOf(*templateCad("instances"), without_instances),

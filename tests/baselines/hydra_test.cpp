@@ -262,7 +262,7 @@ TEST(Hydra, AnObjectsMeshIsTheFacesOfTheSceneWithAllThreeCornersInItsNode) {
 
 TEST(Hydra, AnObjectWithoutAFaceHasTheBoxOfItsVertices) {
   // A strip on a wall, one voxel wide: its vertices form a line, and no triangle is all its own.
-  RgbdFrame frame;
+  Frame frame;
   frame.stamp_ns = kMiniatureStartNs;
   frame.camera = miniatureCamera();
   frame.T_world_camera = lookAt({0, 0, 0}, {0, 1, 0});

@@ -26,8 +26,8 @@ constexpr std::int64_t kSecond = 1'000'000'000;
 
 /// A frame of one row, in which pixel i of instance 1 is at depth (i + 1) cm and 1 m above the
 /// other, seen by a camera that looks along the world's x axis.
-RgbdFrame rowOfDepths(int count) {
-  RgbdFrame frame;
+Frame rowOfDepths(int count) {
+  Frame frame;
   frame.camera = {count, 1, 100, 100, 0, 0};
   frame.T_world_camera = lookAt(Vector3d(0, 0, 1), Vector3d(1, 0, 1));
   frame.depth = Image<float>(count, 1);

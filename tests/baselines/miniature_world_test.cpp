@@ -15,7 +15,7 @@ const Transform kAhead = lookAt(Vector3d(0, 0, 0.5), Vector3d(1, 0, 0.5));
 TEST(MiniatureWorld, DepthIsAlongTheOpticalAxis) {
   MiniatureWorld world;
   world.add(boxMesh(Aabb(Vector3d(2, -9, -9), Vector3d(3, 9, 9))), id::kWall);
-  const RgbdFrame frame = world.frame(kAhead, 1);
+  const Frame frame = world.frame(kAhead, 1);
   for (const float depth : frame.depth) ASSERT_NEAR(depth, 2, 1e-5);
   EXPECT_EQ(frame.labels(3, 4), id::kWall);
   EXPECT_EQ(frame.instances(3, 4), kNoInstance);
@@ -25,7 +25,7 @@ TEST(MiniatureWorld, DepthIsAlongTheOpticalAxis) {
 TEST(MiniatureWorld, PixelsThatSeeNothingHaveNoDepth) {
   MiniatureWorld world;
   world.add(boxMesh(Aabb(Vector3d(2, -0.5, 0), Vector3d(3, 0.5, 1))), id::kBin, 7);
-  const RgbdFrame frame = world.frame(kAhead, 1);
+  const Frame frame = world.frame(kAhead, 1);
   EXPECT_EQ(frame.depth(0, 0), 0);
   EXPECT_EQ(frame.labels(0, 0), kUnknownLabel);
   EXPECT_NEAR(frame.depth(90, 60), 2, 1e-5);
@@ -48,8 +48,8 @@ TEST(MiniatureWorld, ShuffledIdsDifferFromFrameToFrameAndKeepTheirClass) {
   MiniatureWorld world;
   world.add(boxMesh(Aabb(Vector3d(2, -0.5, 0), Vector3d(3, 0.5, 1))), id::kBin, 7);
   world.shuffleInstanceIds();
-  const RgbdFrame first = world.frame(kAhead, 1);
-  const RgbdFrame second = world.frame(kAhead, 2);
+  const Frame first = world.frame(kAhead, 1);
+  const Frame second = world.frame(kAhead, 2);
   EXPECT_NE(first.instances(90, 60), second.instances(90, 60));
   EXPECT_EQ(second.instance_labels.at(second.instances(90, 60)), id::kBin);
 }

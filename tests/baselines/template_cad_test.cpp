@@ -328,7 +328,7 @@ TEST_F(TemplateCadRun, AMovingThingIsOneInTheMiddleOfItsWayUnlessTheWayIsTooLong
 
 TEST_F(TemplateCadRun, ConnectedSemanticsReplaceTheInstanceImage) {
   addChair(0, 0, 0, 1);
-  RgbdFrame frame = world_.frame(around()[0].T_world_camera, kSecond);
+  Frame frame = world_.frame(around()[0].T_world_camera, kSecond);
   frame.instances = {};
   TemplateCad needs_instances(config_, miniatureLabelSpace());
   EXPECT_THAT(messageOf<InputError>([&] { needs_instances.process(frame); }),

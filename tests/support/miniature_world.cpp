@@ -80,7 +80,7 @@ void MiniatureWorld::buildGroups() {
   for (Group& group : groups_) group.raycaster.commit();
 }
 
-RgbdFrame MiniatureWorld::frame(const Transform& T_world_camera, std::int64_t stamp_ns) {
+Frame MiniatureWorld::frame(const Transform& T_world_camera, std::int64_t stamp_ns) {
   if (groups_.empty()) buildGroups();
   const std::size_t num_pixels =
       static_cast<std::size_t>(camera_.width) * static_cast<std::size_t>(camera_.height);
@@ -121,7 +121,7 @@ RgbdFrame MiniatureWorld::frame(const Transform& T_world_camera, std::int64_t st
   }
   frame_id[kNoInstance] = kNoInstance;
 
-  RgbdFrame frame;
+  Frame frame;
   frame.stamp_ns = stamp_ns;
   frame.camera = camera_;
   frame.T_world_camera = T_world_camera;

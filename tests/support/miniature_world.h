@@ -63,7 +63,7 @@ class MiniatureWorld {
 
   /// z-depth (exact to float), labels, instances, instance_labels, and as colour that of the label.
   /// Pixels that see nothing: depth 0, label unknown, no instance.
-  RgbdFrame frame(const Transform& T_world_camera, std::int64_t stamp_ns);
+  Frame frame(const Transform& T_world_camera, std::int64_t stamp_ns);
 
   /// Where the camera is at which time.
   struct View {

@@ -20,8 +20,8 @@ constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kStart = 10 * kSecond;
 
 /// A camera at (x, 0, 0) that looks along +y at a wall `depth` away.
-RgbdFrame wall(double x, std::int64_t stamp_ns, float depth = 2) {
-  RgbdFrame frame;
+Frame wall(double x, std::int64_t stamp_ns, float depth = 2) {
+  Frame frame;
   frame.stamp_ns = stamp_ns;
   frame.camera = {64, 48, 40, 40, 31.5, 23.5};
   frame.T_world_camera = lookAt({x, 0, 0}, {x, 1, 0});
@@ -30,7 +30,7 @@ RgbdFrame wall(double x, std::int64_t stamp_ns, float depth = 2) {
   return frame;
 }
 
-void integrate(ActiveWindow& window, const RgbdFrame& frame) {
+void integrate(ActiveWindow& window, const Frame& frame) {
   window.integrate(sensorView(frame, 0.1, 5));
 }
 
@@ -101,7 +101,7 @@ TEST(ActiveWindow, TakesTheMeshOfWhatChangedLastBeforeItArchives) {
 TEST(ActiveWindow, MeshesCubesThatReachIntoAChangedBlockAnew) {
   // The second camera stands at the border of two blocks and sees the right one only, where the
   // wall has moved a little. The cubes across the border belong to the block at the left.
-  RgbdFrame right = wall(0.02, kStart + kSecond, 2.04f);
+  Frame right = wall(0.02, kStart + kSecond, 2.04f);
   right.camera.cx = 0;
   ActiveWindow stepwise{{}};
   ActiveWindow at_once{{}};
@@ -134,7 +134,7 @@ double area(const Mesh& mesh) {
 double areaAfterDrive(const ActiveWindow::Config& config, double direction) {
   ActiveWindow window(config);
   for (int i = 0; i < 60; ++i) {
-    const RgbdFrame frame = wall(direction * (-4 + 8 * i / 59.0), kStart + i * kSecond / 10);
+    const Frame frame = wall(direction * (-4 + 8 * i / 59.0), kStart + i * kSecond / 10);
     integrate(window, frame);
     if (window.updateDue(frame.stamp_ns)) {
       window.update(frame.stamp_ns, frame.T_world_camera.translation());
@@ -175,7 +175,7 @@ class Border : public ::testing::Test {
     return config;
   }
   void see(double x, int time_s, double focal = 40) {
-    RgbdFrame frame = wall(x, kStart + time_s * kSecond);
+    Frame frame = wall(x, kStart + time_s * kSecond);
     frame.camera.fx = focal;
     integrate(window_, frame);
     window_.update(frame.stamp_ns, {x, 0, 0});

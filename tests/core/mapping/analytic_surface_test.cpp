@@ -65,8 +65,8 @@ Shape cuboid(const Transform& T_world_box, const Eigen::Vector3d& half) {
   return shape;
 }
 
-RgbdFrame exactFrame(const Shape& shape, const Transform& T_world_camera) {
-  RgbdFrame frame;
+Frame exactFrame(const Shape& shape, const Transform& T_world_camera) {
+  Frame frame;
   frame.stamp_ns = 1;
   frame.camera = {240, 240, 200, 200, 119.5, 119.5};
   frame.T_world_camera = T_world_camera;
@@ -96,7 +96,7 @@ Mesh mapped(const Shape& shape, const Eigen::Vector3d& center, double vertex_mer
   ActiveWindow window(config);
   for (int i = 0; i < num_views; ++i) {
     const Eigen::Vector3d eye = center + 3.0 * direction(i, num_views);
-    const RgbdFrame frame = exactFrame(shape, lookAt(eye, center));
+    const Frame frame = exactFrame(shape, lookAt(eye, center));
     window.integrate(sensorView(frame, 0.1, 5));
   }
   window.finish();
@@ -178,7 +178,7 @@ TEST(AnalyticFloor, SeenAtGrazingAnglesIsMetToAQuarterOfAVoxel) {
   ActiveWindow window{{}};
   for (int i = 0; i < 40; ++i) {
     const Eigen::Vector3d eye(0.075 * i, 0, 0.4);
-    const RgbdFrame frame = exactFrame(floor, lookAt(eye, eye + Eigen::Vector3d(10, 0, -1.4)));
+    const Frame frame = exactFrame(floor, lookAt(eye, eye + Eigen::Vector3d(10, 0, -1.4)));
     window.integrate(sensorView(frame, 0.1, 5));
   }
   window.finish();

@@ -16,8 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-RgbdFrame smallFrame() {
-  RgbdFrame frame;
+Frame smallFrame() {
+  Frame frame;
   frame.stamp_ns = 42;
   frame.camera = {8, 6, 10, 10, 4, 3};
   frame.depth = Image<float>(8, 6, 1.0f);
@@ -25,7 +25,7 @@ RgbdFrame smallFrame() {
 }
 
 /// What sensorView() has to say; empty: nothing.
-std::string faultOf(const RgbdFrame& frame) {
+std::string faultOf(const Frame& frame) {
   try {
     sensorView(frame, 0.1, 5);
   } catch (const InputError& error) {
@@ -35,7 +35,7 @@ std::string faultOf(const RgbdFrame& frame) {
 }
 
 TEST(FrameCheck, ImagesOtherThanDepthMayBeMissing) {
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   EXPECT_EQ(faultOf(frame), "");
   frame.color = Image<Rgb>(8, 6);
   frame.labels = Image<Label>(8, 6);
@@ -44,13 +44,13 @@ TEST(FrameCheck, ImagesOtherThanDepthMayBeMissing) {
 }
 
 TEST(FrameCheck, NamesTheFrameWithoutDepth) {
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   frame.depth = {};
   EXPECT_EQ(faultOf(frame), "the frame at 42 ns has no depth image; expected 8 x 6 pixels");
 }
 
 TEST(FrameCheck, NamesTheImageOfTheWrongSize) {
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   frame.depth = Image<float>(6, 8);  // as many pixels
   EXPECT_EQ(faultOf(frame),
             "the depth image of the frame at 42 ns has 6 x 8 pixels; expected 8 x 6, the size of "
@@ -67,7 +67,7 @@ TEST(FrameCheck, NamesTheImageOfTheWrongSize) {
 }
 
 TEST(FrameCheck, RefusesAPoseThatIsNotFinite) {
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   frame.T_world_camera.translation().y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(faultOf(frame), "the pose of the frame at 42 ns is not finite");
   frame = smallFrame();

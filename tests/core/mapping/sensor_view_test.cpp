@@ -12,8 +12,8 @@ namespace hydrabench {
 namespace {
 
 /// Pixel (u, v) looks along (u - 20, v - 10, 10), so that (20 + 0, 10) looks straight ahead.
-RgbdFrame frameOfDepth(float depth) {
-  RgbdFrame frame;
+Frame frameOfDepth(float depth) {
+  Frame frame;
   frame.camera = {41, 21, 10, 10, 20, 10};
   frame.depth = Image<float>(41, 21, depth);
   return frame;
@@ -28,7 +28,7 @@ TEST(SensorView, TurnsDepthIntoRangeAlongTheRay) {
 }
 
 TEST(SensorView, DropsWhatIsTooNearAndKeepsWhatIsTooFarForCarving) {
-  RgbdFrame frame = frameOfDepth(2);
+  Frame frame = frameOfDepth(2);
   frame.depth(20, 10) = 0.5f;
   const SensorView view = sensorView(frame, 1, 3);
   EXPECT_EQ(view.range(20, 10), 0);                          // 0.5 m
@@ -38,7 +38,7 @@ TEST(SensorView, DropsWhatIsTooNearAndKeepsWhatIsTooFarForCarving) {
 }
 
 TEST(SensorView, PassesOverDepthsThatAreNoMeasurement) {
-  RgbdFrame frame = frameOfDepth(0);
+  Frame frame = frameOfDepth(0);
   frame.depth(1, 1) = std::numeric_limits<float>::quiet_NaN();
   frame.depth(2, 1) = std::numeric_limits<float>::infinity();
   frame.depth(3, 1) = -2;
@@ -48,7 +48,7 @@ TEST(SensorView, PassesOverDepthsThatAreNoMeasurement) {
 }
 
 TEST(SensorView, PointsToTheImagesThereAre) {
-  RgbdFrame frame = frameOfDepth(1);
+  Frame frame = frameOfDepth(1);
   frame.color = Image<Rgb>(41, 21);
   frame.stamp_ns = 7;
   const SensorView view = sensorView(frame, 0.1, 5);
@@ -59,7 +59,7 @@ TEST(SensorView, PointsToTheImagesThereAre) {
 }
 
 TEST(RangeTiles, HoldTheExtremesOfTheirPixels) {
-  RgbdFrame frame = frameOfDepth(2);
+  Frame frame = frameOfDepth(2);
   frame.depth(9, 3) = 1;    // in the tile (1, 0)
   frame.depth(40, 20) = 0;  // in the last tile
   SensorView view = sensorView(frame, 0.1, 100);
@@ -76,7 +76,7 @@ TEST(RangeTiles, HoldTheExtremesOfTheirPixels) {
 }
 
 TEST(SensorView, DoesNotDependOnTheNumberOfThreads) {
-  RgbdFrame frame = frameOfDepth(2);
+  Frame frame = frameOfDepth(2);
   for (int v = 0; v < 21; ++v)
     for (int u = 0; u < 41; ++u) frame.depth(u, v) = 1 + 0.01f * static_cast<float>(u * v % 97);
   const SensorView any = sensorView(frame, 0.1, 5);

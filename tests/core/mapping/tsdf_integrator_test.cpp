@@ -15,17 +15,17 @@ namespace {
 constexpr double kFocal = 50;
 
 /// A camera at the world's origin that looks along +z at a wall across its view, 2 m away.
-RgbdFrame wall(float depth = 2) {
-  RgbdFrame frame;
+Frame wall(float depth = 2) {
+  Frame frame;
   frame.stamp_ns = 5;
   frame.camera = {65, 49, kFocal, kFocal, 32, 24};
   frame.depth = Image<float>(65, 49, depth);
   return frame;
 }
 
-TsdfVolume fused(const std::vector<RgbdFrame>& frames, const TsdfIntegrator::Config& config = {}) {
+TsdfVolume fused(const std::vector<Frame>& frames, const TsdfIntegrator::Config& config = {}) {
   TsdfVolume volume({});
-  for (const RgbdFrame& frame : frames)
+  for (const Frame& frame : frames)
     TsdfIntegrator(config).integrate(sensorView(frame, 0.1, 5), volume);
   return volume;
 }
@@ -62,7 +62,7 @@ TEST(TsdfIntegrator, IsNegativeBehindTheSurfaceAndClippedInFront) {
 }
 
 TEST(TsdfIntegrator, WritesNothingFarBehindTheSurface) {
-  RgbdFrame frame = wall();
+  Frame frame = wall();
   frame.depth(0, 0) = 3;  // lets ranges up to 3.6 m count
   const TsdfVolume volume = fused({frame});
   EXPECT_GT(volume.voxel({0, 0, 22})->weight, 0);  // 0.25 m behind
@@ -70,7 +70,7 @@ TEST(TsdfIntegrator, WritesNothingFarBehindTheSurface) {
 }
 
 TEST(TsdfIntegrator, WritesNothingBehindTheFarthestMeasurement) {
-  RgbdFrame frame = wall(0);
+  Frame frame = wall(0);
   frame.depth(32, 24) = 2;  // one pixel on the axis measures
   const TsdfVolume volume = fused({frame}, {.interpolation = "nearest"});
   // Centre (0.05, 0.05, z) appears there from z = 5 m on only: none is measured.
@@ -128,11 +128,11 @@ TEST(TsdfIntegrator, FusesToTheWeightedMean) {
 }
 
 TEST(TsdfIntegrator, TakesTheFirstColorWholeAndThenTheMean) {
-  RgbdFrame red = wall();
+  Frame red = wall();
   red.color = Image<Rgb>(65, 49, Rgb{200, 0, 100});
-  RgbdFrame blue = wall();
+  Frame blue = wall();
   blue.color = Image<Rgb>(65, 49, Rgb{0, 100, 100});
-  RgbdFrame farther = wall(4);  // carves the voxel free without giving it a colour
+  Frame farther = wall(4);  // carves the voxel free without giving it a colour
   farther.color = Image<Rgb>(65, 49, Rgb{255, 255, 255});
   const GlobalVoxel at(0, 0, 19);
   EXPECT_FALSE(fused({farther}).voxel(at)->colored);
@@ -142,7 +142,7 @@ TEST(TsdfIntegrator, TakesTheFirstColorWholeAndThenTheMean) {
 }
 
 TEST(TsdfIntegrator, ColoursAndLabelsOnlyTheBand) {
-  RgbdFrame frame = wall();
+  Frame frame = wall();
   frame.color = Image<Rgb>(65, 49, Rgb{9, 9, 9});
   frame.labels = Image<Label>(65, 49, 3);
   const TsdfVolume volume = fused({frame});
@@ -159,7 +159,7 @@ TEST(TsdfIntegrator, ColoursAndLabelsOnlyTheBand) {
 }
 
 TEST(TsdfIntegrator, ChoosesLabelsByTheSumOfWeightsAndNeverBlends) {
-  RgbdFrame frame = wall();
+  Frame frame = wall();
   frame.labels = Image<Label>(65, 49, 2);
   // Centre (0.05, 0.05, 1.95) appears at (33.28, 25.28): weights 0.52, 0.20, 0.20, 0.08.
   frame.labels(33, 25) = 8;
@@ -174,7 +174,7 @@ TEST(TsdfIntegrator, ChoosesLabelsByTheSumOfWeightsAndNeverBlends) {
   EXPECT_EQ(labelOf(fused({frame})), 2);  // 0.60 against 0.40
 
   // Centre (0.05, 0.05, 1.75) appears at (33.43, 25.43): 0.33, 0.24, 0.24, 0.19.
-  RgbdFrame three = wall();
+  Frame three = wall();
   three.labels = Image<Label>(65, 49, 2);
   three.labels(33, 25) = 8;
   const TsdfVolume volume = fused({three});
@@ -182,7 +182,7 @@ TEST(TsdfIntegrator, ChoosesLabelsByTheSumOfWeightsAndNeverBlends) {
 }
 
 TEST(TsdfIntegrator, CarvesInFrontOfMaskedPixelsButDoesNotFillThem) {
-  const RgbdFrame frame = wall();
+  const Frame frame = wall();
   const Image<std::uint8_t> mask(65, 49, 1);
   SensorView view = sensorView(frame, 0.1, 5);
   view.mask = &mask;
@@ -195,7 +195,7 @@ TEST(TsdfIntegrator, CarvesInFrontOfMaskedPixelsButDoesNotFillThem) {
 }
 
 TEST(TsdfIntegrator, LearnsNothingFromPixelsWithoutDepth) {
-  RgbdFrame frame = wall();
+  Frame frame = wall();
   for (int v = 0; v < 49; ++v)
     for (int u = 0; u < 33; ++u) frame.depth(u, v) = u % 2 ? 0 : std::nanf("");
   for (const char* interpolation : {"nearest", "bilinear", "adaptive"}) {
@@ -209,7 +209,7 @@ TEST(TsdfIntegrator, LearnsNothingFromPixelsWithoutDepth) {
 
 TEST(TsdfIntegrator, InterpolatesWhereRangesAgreeOnly) {
   // Centre (0.05, 0.05, 1.95) appears at (33.28, 25.28).
-  RgbdFrame frame = wall();
+  Frame frame = wall();
   frame.depth(34, 25) = 2.1f;
   const GlobalVoxel at(0, 0, 19);
   const double range = std::sqrt(0.05 * 0.05 * 2 + 1.95 * 1.95);
@@ -227,7 +227,7 @@ TEST(TsdfIntegrator, InterpolatesWhereRangesAgreeOnly) {
 
 TEST(TsdfIntegrator, DoesNotInterpolateAcrossAHole) {
   // Centre (0.05, 0.05, 1.45) appears at (33.72, 25.72): the nearest pixel is (34, 26).
-  RgbdFrame frame = wall();
+  Frame frame = wall();
   frame.depth(34, 25) = 0;
   const GlobalVoxel at(0, 0, 14);
   EXPECT_EQ(weightOf(fused({frame}, {.interpolation = "bilinear"}), at), 0);
@@ -238,8 +238,8 @@ TEST(TsdfIntegrator, DoesNotInterpolateAcrossAHole) {
 }
 
 /// A box in front of a wall with holes, seen from a place below zero, turned.
-RgbdFrame scenery(int step) {
-  RgbdFrame frame = wall(3);
+Frame scenery(int step) {
+  Frame frame = wall(3);
   frame.stamp_ns = 100 + step;
   for (int v = 10; v < 35; ++v)
     for (int u = 12; u < 40; ++u) frame.depth(u, v) = 1.2f + 0.01f * static_cast<float>(u);
@@ -311,14 +311,14 @@ void expectEarlyDecisionsChangeNothing(const SensorView& view, const TsdfVolume:
 }
 
 TEST(TsdfIntegrator, DecidesEarlyAboutBlocksWithoutChangingABit) {
-  const RgbdFrame cluttered = scenery(1);
+  const Frame cluttered = scenery(1);
   expectEarlyDecisionsChangeNothing(sensorView(cluttered, 0.5, 3.2), blocksOf(8, 0.1));
   expectEarlyDecisionsChangeNothing(sensorView(cluttered, 0.5, 3.2), blocksOf(8, 0.04));
 }
 
 TEST(TsdfIntegrator, DecidesEarlyAboutTinyBlocksWithoutChangingABit) {
   // Tiny blocks before a plain wall: some end just within each limit, some just beyond.
-  RgbdFrame plain = wall();
+  Frame plain = wall();
   plain.T_world_camera = lookAt({0.3, -0.2, 0.1}, {2, 1, 0.4});
   SensorView view = sensorView(plain, 0.8, 5);
   expectEarlyDecisionsChangeNothing(view, blocksOf(3, 0.1));

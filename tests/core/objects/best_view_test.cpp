@@ -79,7 +79,7 @@ TEST(BestViews, TheBestOfALongTrackIsNeverLost) {
 TEST(SeenVolume, IsThatOfTheBoxAndTrimmedThatWithoutAFewFarPoints) {
   // 8 x 8 pixels of the wall, 0.1 m apart, all of them shifted by their number in depth so that the
   // box has a volume; one of them is 4 m off.
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   ObjectCandidate candidate;
   for (int v = 0; v < 8; ++v) {
     for (int u = 0; u < 8; ++u) {
@@ -101,7 +101,7 @@ TEST(SeenVolume, IsThatOfTheBoxAndTrimmedThatWithoutAFewFarPoints) {
 }
 
 TEST(InstanceMasks, GiveUnmeasuredPixelsOfTheInstanceToItsCandidate) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.instances(3, 2) = frame.instances(4, 2) = frame.instances(5, 2) = 7;
   frame.instances(8, 2) = 9;  // measured, but no candidate's: passed over by its range, say
   frame.depth(4, 2) = 0;
@@ -119,7 +119,7 @@ TEST(InstanceMasks, GiveUnmeasuredPixelsOfTheInstanceToItsCandidate) {
 }
 
 TEST(ShapeObservation, HasTheImagesAndTheMaskOfOneCandidate) {
-  const RgbdFrame frame = cellFrame(42);
+  const Frame frame = cellFrame(42);
   Image<std::uint16_t> ids(16, 12);
   ids(3, 2) = 1;
   ids(4, 2) = ids(5, 2) = 2;

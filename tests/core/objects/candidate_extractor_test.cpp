@@ -38,13 +38,13 @@ CandidateExtractor::Config smallest() {
   return config;
 }
 
-FrameCandidates extract(const RgbdFrame& frame, const CandidateExtractor::Config& config,
+FrameCandidates extract(const Frame& frame, const CandidateExtractor::Config& config,
                         const MotionDetection* motion = nullptr) {
   return CandidateExtractor(config, chairsAndCouches()).extract(frame, cellView(frame), motion);
 }
 
 TEST(CandidateExtractor, DescribesACandidate) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   for (const int u : {4, 5, 6}) frame.labels(u, 2) = kChair;
   const FrameCandidates found = extract(frame, smallest());
   ASSERT_EQ(found.candidates.size(), 1u);
@@ -65,7 +65,7 @@ TEST(CandidateExtractor, DescribesACandidate) {
 }
 
 TEST(CandidateExtractor, ListsEachTrackingVoxelOnceInOrder) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   for (const int v : {1, 0}) {
     for (const int u : {1, 2, 3, 4}) frame.labels(u, v) = kChair;
   }
@@ -76,26 +76,26 @@ TEST(CandidateExtractor, ListsEachTrackingVoxelOnceInOrder) {
 }
 
 TEST(CandidateExtractor, CellsThatShareACornerAreConnected) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.labels(3, 3) = frame.labels(4, 4) = kChair;
   EXPECT_EQ(extract(frame, smallest()).candidates.size(), 1u);
 }
 
 TEST(CandidateExtractor, ACellInBetweenSeparates) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.labels(3, 3) = frame.labels(5, 5) = kChair;
   EXPECT_EQ(extract(frame, smallest()).candidates.size(), 2u);
 }
 
 TEST(CandidateExtractor, NeighboursInTheImageButNotInSpaceAreTwo) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.labels(3, 3) = frame.labels(4, 3) = kChair;
   frame.depth(4, 3) = 2 * kCellDepth;
   EXPECT_EQ(extract(frame, smallest()).candidates.size(), 2u);
 }
 
 TEST(CandidateExtractor, ClassesNeverJoinAndOnlyObjectsCount) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.labels(3, 3) = kChair;
   frame.labels(4, 3) = kCouch;
   frame.labels(5, 3) = kWall;
@@ -106,7 +106,7 @@ TEST(CandidateExtractor, ClassesNeverJoinAndOnlyObjectsCount) {
 }
 
 TEST(CandidateExtractor, PixelsWithoutDepthNeverCount) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   for (int u = 0; u < 8; ++u) frame.labels(u, 5) = kChair;
   for (int u = 4; u < 8; ++u) frame.depth(u, 5) = 0;
   const FrameCandidates found = extract(frame, smallest());
@@ -116,7 +116,7 @@ TEST(CandidateExtractor, PixelsWithoutDepthNeverCount) {
 }
 
 TEST(CandidateExtractor, FartherPointsArePassedOver) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.labels(0, 0) = frame.labels(8, 0) = kChair;
   frame.depth(8, 0) = 2 * kCellDepth;
   CandidateExtractor::Config config = smallest();
@@ -125,7 +125,7 @@ TEST(CandidateExtractor, FartherPointsArePassedOver) {
 }
 
 TEST(CandidateExtractor, LimitsOfThePixelCountAreInclusive) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   for (const int u : {0, 1, 2}) frame.labels(u, 0) = kChair;
   CandidateExtractor::Config config = smallest();
   config.min_pixels = config.max_pixels = 3;
@@ -137,7 +137,7 @@ TEST(CandidateExtractor, LimitsOfThePixelCountAreInclusive) {
 }
 
 TEST(CandidateExtractor, LimitsTheVolumeOfTheBox) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.instances(0, 0) = frame.instances(9, 9) = 4;
   frame.instance_labels = {{4, kChair}};
   frame.depth(9, 9) = 2 * kCellDepth;
@@ -156,7 +156,7 @@ TEST(CandidateExtractor, LimitsTheVolumeOfTheBox) {
 }
 
 TEST(CandidateExtractor, ADroppedCandidateLeavesNoGapInTheNumbers) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.labels(0, 0) = kChair;
   for (const int u : {6, 7, 8}) frame.labels(u, 0) = kCouch;
   CandidateExtractor::Config config = smallest();
@@ -169,7 +169,7 @@ TEST(CandidateExtractor, ADroppedCandidateLeavesNoGapInTheNumbers) {
 }
 
 TEST(CandidateExtractor, InstancesAreTakenAsTheyAreGiven) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.instances(0, 0) = frame.instances(9, 9) = 70;  // one instance in two places
   frame.instances(5, 0) = -3;
   frame.instances(6, 0) = 8;  // no class
@@ -185,7 +185,7 @@ TEST(CandidateExtractor, InstancesAreTakenAsTheyAreGiven) {
 }
 
 TEST(CandidateExtractor, RefusesAFrameWithoutTheImageItNeeds) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.instances = {};
   CandidateExtractor::Config config = smallest();
   EXPECT_NO_THROW(extract(frame, config));
@@ -206,7 +206,7 @@ TEST(CandidateExtractor, RefusesMoreClassesThanItCanTellApart) {
     }
     return space;
   };
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   frame.labels(4, 2) = 1023;
   const CandidateExtractor most(smallest(), classes(1023));
   const FrameCandidates found = most.extract(frame, cellView(frame));
@@ -219,7 +219,7 @@ TEST(CandidateExtractor, RefusesMoreClassesThanItCanTellApart) {
 }
 
 TEST(CandidateExtractor, MovingThingsComeFirstAndKeepTheirPixels) {
-  RgbdFrame frame = cellFrame();
+  Frame frame = cellFrame();
   for (const int u : {2, 3, 4}) frame.labels(u, 1) = kChair;
   MotionDetection motion{Image<std::uint8_t>(16, 12), {}};
   motion.ids(3, 1) = motion.ids(3, 2) = 1;
@@ -238,8 +238,8 @@ TEST(CandidateExtractor, MovingThingsComeFirstAndKeepTheirPixels) {
 }
 
 /// A frame of random classes and depths, with holes.
-RgbdFrame randomFrame(std::uint64_t seed) {
-  RgbdFrame frame = cellFrame();
+Frame randomFrame(std::uint64_t seed) {
+  Frame frame = cellFrame();
   Random random(seed);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     frame.depth.data()[i] =
@@ -250,7 +250,7 @@ RgbdFrame randomFrame(std::uint64_t seed) {
 }
 
 /// Number of the connected group of each pixel, by comparing all pixels with each other.
-std::vector<int> plainGroups(const RgbdFrame& frame) {
+std::vector<int> plainGroups(const Frame& frame) {
   const SensorView view = cellView(frame);
   const PixelPoints points(view);
   std::vector<int> group(frame.labels.size(), 0);
@@ -278,7 +278,7 @@ std::vector<int> plainGroups(const RgbdFrame& frame) {
 
 TEST(CandidateExtractor, AgreesWithComparingAllPixels) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const RgbdFrame frame = randomFrame(seed);
+    const Frame frame = randomFrame(seed);
     const std::vector<int> expected = plainGroups(frame);
     const FrameCandidates found = extract(frame, smallest());
     std::map<int, int> id_of_group{{0, 0}};  // a group's number is its first pixel: same order
@@ -293,7 +293,7 @@ TEST(CandidateExtractor, AgreesWithComparingAllPixels) {
 }
 
 TEST(CandidateExtractor, IsTheSameForAnyNumberOfThreads) {
-  const RgbdFrame frame = randomFrame(7);
+  const Frame frame = randomFrame(7);
   setNumThreads(1);
   const FrameCandidates one = extract(frame, smallest());
   setNumThreads(4);

@@ -16,9 +16,9 @@ inline constexpr float kCellDepth = 1.05f;
 inline Camera cellCamera() { return {16, 12, 10.5, 10.5, -0.5, -0.5}; }
 
 /// A wall at kCellDepth without labels or instances.
-inline RgbdFrame cellFrame(std::int64_t stamp_ns = 1) {
+inline Frame cellFrame(std::int64_t stamp_ns = 1) {
   const Camera camera = cellCamera();
-  RgbdFrame frame;
+  Frame frame;
   frame.stamp_ns = stamp_ns;
   frame.camera = camera;
   frame.depth = Image<float>(camera.width, camera.height, kCellDepth);
@@ -27,7 +27,7 @@ inline RgbdFrame cellFrame(std::int64_t stamp_ns = 1) {
   return frame;
 }
 
-inline SensorView cellView(const RgbdFrame& frame) { return sensorView(frame, 0.1, 10); }
+inline SensorView cellView(const Frame& frame) { return sensorView(frame, 0.1, 10); }
 
 inline std::uint32_t pixelAt(int u, int v) { return static_cast<std::uint32_t>(v * 16 + u); }
 

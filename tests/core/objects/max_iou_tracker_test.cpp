@@ -231,7 +231,7 @@ TEST(MaxIouTracker, ByPixelsProjectsTheLastPointsIntoTheImage) {
   tracker.update(cellView(cellFrame(1)), {Image<std::uint16_t>(16, 12), {c}});
 
   // The camera moves by two pixels: the points fall on columns 2 to 4.
-  RgbdFrame frame = cellFrame(2);
+  Frame frame = cellFrame(2);
   frame.T_world_camera.translation() = Eigen::Vector3d(0.2, 0, 0);
   c.pixels = {pixelAt(3, 2), pixelAt(4, 2), pixelAt(5, 2)};  // 2 / 4
   tracker.update(cellView(frame), {Image<std::uint16_t>(16, 12), {c}});
@@ -254,7 +254,7 @@ TEST(MaxIouTracker, ByPixelsFindsAThingAgainFarFromTheOrigin) {
   ObjectCandidate c = candidate(kChair, {});
   c.pixels = {pixelAt(4, 2), pixelAt(5, 2), pixelAt(6, 2)};
   for (const int stamp_ns : {1, 2}) {
-    RgbdFrame frame = cellFrame(stamp_ns);
+    Frame frame = cellFrame(stamp_ns);
     frame.T_world_camera.translation() = Eigen::Vector3d(3e6, 3e6, 0);
     tracker.update(cellView(frame), {Image<std::uint16_t>(16, 12), {c}});
   }

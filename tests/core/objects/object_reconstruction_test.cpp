@@ -21,8 +21,8 @@ constexpr double kWallZ = 1.5;
 constexpr std::uint16_t kId = 3;
 
 /// A ball at (0, 0, 1) m in front of a wall, seen from `eye` along +z.
-RgbdFrame ballFrame(const Vector3d& eye, std::int64_t stamp_ns) {
-  RgbdFrame frame;
+Frame ballFrame(const Vector3d& eye, std::int64_t stamp_ns) {
+  Frame frame;
   frame.stamp_ns = stamp_ns;
   frame.camera = {96, 72, 90, 90, 47.5, 35.5};
   frame.T_world_camera.translation() = eye;
@@ -53,7 +53,7 @@ struct Scene {
   /// @param u_end    from this column on they never are
   void see(const Vector3d& eye, bool on_ball = true, int u_end = 96) {
     const auto stamp = static_cast<std::int64_t>(track.observations.size() + 1);
-    RgbdFrame frame = ballFrame(eye, stamp);
+    Frame frame = ballFrame(eye, stamp);
     Image<std::uint16_t> ids(96, 72);
     Observation observation;
     observation.stamp_ns = stamp;

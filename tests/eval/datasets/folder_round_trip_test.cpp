@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-void expectSameFrame(const RgbdFrame& a, const RgbdFrame& b) {
+void expectSameFrame(const Frame& a, const Frame& b) {
   EXPECT_EQ(a.stamp_ns, b.stamp_ns);
   EXPECT_EQ(a.camera, b.camera);
   EXPECT_EQ(a.T_world_camera.matrix(), b.T_world_camera.matrix());
@@ -169,7 +169,7 @@ TEST(FolderDataset, ExportRefusesAFilledFolderUnlessToldToReplaceIt) {
 /// Breaks off in the middle.
 class FailingDataset : public ToyDataset {
  public:
-  RgbdFrame frame(std::size_t index) const override {
+  Frame frame(std::size_t index) const override {
     if (index == 2) throw InputError("frame 2 is broken");
     return ToyDataset::frame(index);
   }
@@ -202,7 +202,7 @@ TEST(FolderDataset, ImagesThatADatasetDoesNotHaveStayEmpty) {
     fs::remove_all(folder / "out" / kind);
   }
   const OpenedDataset opened = openDataset(folder / "out");
-  const RgbdFrame frame = opened.dataset->frame(0);
+  const Frame frame = opened.dataset->frame(0);
   EXPECT_TRUE(frame.color.empty());
   EXPECT_TRUE(frame.instances.empty());
   EXPECT_TRUE(frame.instance_labels.empty());

@@ -53,7 +53,7 @@ TEST_F(MeshGallery, EveryFrameShowsItsMeshInTheMiddleAndNoOther) {
   const OpenedDataset opened = open();
   ASSERT_EQ(opened.dataset->numFrames(), 8u);
   for (std::size_t i = 0; i < 8; ++i) {
-    const RgbdFrame frame = opened.dataset->frame(i);
+    const Frame frame = opened.dataset->frame(i);
     ASSERT_EQ(frame.instance_labels.size(), 1u) << i;
     EXPECT_EQ(frame.instance_labels.begin()->second,
               opened.dataset->groundTruth().objects[i / 4].label);

@@ -35,7 +35,7 @@ OpenedDataset open(const char* config, std::vector<std::string> overrides = {}) 
   }
 
 /// Pixel (u, v) of a frame in the world.
-Eigen::Vector3d inWorld(const RgbdFrame& frame, int u, int v) {
+Eigen::Vector3d inWorld(const Frame& frame, int u, int v) {
   return frame.T_world_camera * frame.camera.backproject(u, v, frame.depth(u, v));
 }
 
@@ -49,7 +49,7 @@ TEST(RedKitchen, HundredFramesWithPosesAndRoughInstances) {
   EXPECT_FALSE(dataset.hasGroundTruth());
   std::size_t with_chairs = 0;
   for (const std::size_t i : {0u, 40u, 99u}) {
-    const RgbdFrame frame = dataset.frame(i);
+    const Frame frame = dataset.frame(i);
     EXPECT_EQ(frame.stamp_ns, std::llround(static_cast<double>(5 * i) * 1e9 / 30));
     float largest = 0;
     for (const float z : frame.depth) largest = std::max(largest, z);
@@ -66,7 +66,7 @@ TEST(RedKitchen, AlignedWorldHasItsFloorAtZero) {
   // The lowest percentile of all heights is the floor.
   std::vector<double> heights;
   for (std::size_t i = 0; i < 100; i += 10) {
-    const RgbdFrame frame = opened.dataset->frame(i);
+    const Frame frame = opened.dataset->frame(i);
     EXPECT_GT(frame.T_world_camera.translation().z(), 0.5);
     for (int v = 0; v < frame.depth.height(); v += 8) {
       for (int u = 0; u < frame.depth.width(); u += 8) {
@@ -87,8 +87,8 @@ TEST(ApcShelf, AnnotatedAndPredictedMasksAgreeRoughly) {
   EXPECT_FALSE(annotated.dataset->hasGroundTruth());
   std::size_t both = 0, either = 0;
   for (std::size_t f = 0; f < 15; f += 7) {
-    const RgbdFrame a = annotated.dataset->frame(f);
-    const RgbdFrame b = predicted.dataset->frame(f);
+    const Frame a = annotated.dataset->frame(f);
+    const Frame b = predicted.dataset->frame(f);
     EXPECT_TRUE(a.depth == b.depth);
     EXPECT_FALSE(a.instance_labels.empty());
     for (std::size_t i = 0; i < a.instances.size(); ++i) {
@@ -110,7 +110,7 @@ TEST(ApcShelf, ViewsMeetOnTheShelf) {
   // The mean position of an object must be about the same from every view that shows it.
   std::vector<Eigen::Vector3d> means;
   for (std::size_t f = 0; f < 15; ++f) {
-    const RgbdFrame frame = opened.dataset->frame(f);
+    const Frame frame = opened.dataset->frame(f);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     int count = 0;
     for (int v = 0; v < frame.depth.height(); ++v) {
@@ -148,7 +148,7 @@ TEST(ServicesimOffice, ItsObjectsAreScoredButForPartitions) {
   EXPECT_EQ(unscored_computers, 17);
   std::size_t pixels = 0;
   for (std::size_t i = 0; i < dataset.numFrames(); i += 20) {
-    const RgbdFrame frame = dataset.frame(i);
+    const Frame frame = dataset.frame(i);
     pixels += static_cast<std::size_t>(
         std::count_if(frame.depth.begin(), frame.depth.end(), [](float z) { return z > 0; }));
   }

@@ -81,7 +81,7 @@ TEST_F(PlacedMeshes, FramesShowTheChairAsAnInstanceAndThePartitionAsNone) {
   bool chair_seen = false;
   bool partition_seen = false;
   for (std::size_t i = 0; i < opened.dataset->numFrames(); i += 5) {
-    const RgbdFrame frame = opened.dataset->frame(i);
+    const Frame frame = opened.dataset->frame(i);
     for (std::size_t k = 0; k < frame.labels.size(); ++k) {
       const bool has_instance = frame.instances.data()[k] != kNoInstance;
       if (frame.labels.data()[k] == office_label::kChair) {

@@ -54,9 +54,9 @@ class ToyDataset : public Dataset {
   std::size_t numFrames() const override { return ground_truth_.trajectory.size(); }
   const GroundTruth& groundTruth() const override { return ground_truth_; }
 
-  RgbdFrame frame(std::size_t index) const override {
+  Frame frame(std::size_t index) const override {
     Random random(index);
-    RgbdFrame frame;
+    Frame frame;
     frame.stamp_ns = ground_truth_.trajectory.at(index).stamp_ns;
     frame.T_world_camera = pose(1000 + index);  // drifted: not the true one
     frame.camera = camera_;

@@ -20,9 +20,9 @@ class CountingDataset : public Dataset {
   const LabelSpace& labelSpace() const override { return label_space_; }
   const Camera& camera() const override { return camera_; }
   std::size_t numFrames() const override { return 10; }
-  RgbdFrame frame(std::size_t index) const override {
+  Frame frame(std::size_t index) const override {
     ++frames_made;
-    RgbdFrame frame;
+    Frame frame;
     frame.stamp_ns = static_cast<std::int64_t>(index) * 100'000'000;
     return frame;
   }
@@ -39,7 +39,7 @@ class CountingDataset : public Dataset {
 class CountingMethod : public MappingSystem {
  public:
   explicit CountingMethod(std::size_t throw_at) : throw_at_(throw_at) {}
-  void process(const RgbdFrame&) override {
+  void process(const Frame&) override {
     const StageTimes::Scope scope(times_, "count");
     if (frames_++ == throw_at_) throw std::runtime_error("out of luck");
   }

@@ -26,7 +26,7 @@ using ::testing::SizeIs;
 class ToyMethod : public MappingSystem {
  public:
   explicit ToyMethod(bool fails) : fails_(fails) {}
-  void process(const RgbdFrame&) override {
+  void process(const Frame&) override {
     if (fails_) throw std::runtime_error("out of luck");
   }
   SceneGraph finish() override {

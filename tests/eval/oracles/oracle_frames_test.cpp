@@ -12,10 +12,10 @@ namespace {
 /// Keeps the last frame.
 class Listener : public MappingSystem {
  public:
-  void process(const RgbdFrame& frame) override { last = frame; }
+  void process(const Frame& frame) override { last = frame; }
   SceneGraph finish() override { return {}; }
   const StageTimes& stageTimes() const override { return times_; }
-  RgbdFrame last;
+  Frame last;
 
  private:
   StageTimes times_;
@@ -26,7 +26,7 @@ OracleFrames oracleFrames(const OracleFrames::Mends& mends) {
                       std::make_shared<const TrueInstances>(twoBoxes()), mends);
 }
 
-void paint(RgbdFrame& frame, int u_begin, int u_end, InstanceId id, Label label) {
+void paint(Frame& frame, int u_begin, int u_end, InstanceId id, Label label) {
   for (int v = 20; v < 30; ++v) {
     for (int u = u_begin; u < u_end; ++u) {
       frame.instances(u, v) = id;
@@ -39,10 +39,10 @@ void paint(RgbdFrame& frame, int u_begin, int u_end, InstanceId id, Label label)
 TEST(OracleFrames, GivesEachObjectOneIdThatPersists) {
   OracleFrames oracle = oracleFrames({.masks = false, .association = true});
   for (const InstanceId given : {9, 4}) {
-    RgbdFrame frame = smallFrame();
+    Frame frame = smallFrame();
     paint(frame, 2, 18, given, kChairLabel);
     paint(frame, 42, 58, given + 1, kBinLabel);
-    const RgbdFrame mended = oracle.mended(frame);
+    const Frame mended = oracle.mended(frame);
     EXPECT_EQ(mended.instances(10, 25), 1);
     EXPECT_EQ(mended.instances(50, 25), 2);
     EXPECT_EQ(mended.instance_labels,
@@ -52,17 +52,17 @@ TEST(OracleFrames, GivesEachObjectOneIdThatPersists) {
 
 TEST(OracleFrames, JoinsThePiecesOfOneObjectUnderTheClassOfTheLargest) {
   OracleFrames oracle = oracleFrames({.masks = false, .association = true});
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   paint(frame, 2, 5, 2, kBinLabel);
   paint(frame, 6, 18, 1, kChairLabel);
-  const RgbdFrame mended = oracle.mended(frame);
+  const Frame mended = oracle.mended(frame);
   EXPECT_EQ(mended.instances(3, 25), mended.instances(10, 25));
   EXPECT_EQ(mended.instance_labels, (std::map<InstanceId, Label>{{1, kChairLabel}}));
 }
 
 TEST(OracleFrames, NeverReturnsTheIdOfAMaskThatShowsNoObject) {
   OracleFrames oracle = oracleFrames({.masks = false, .association = true});
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   paint(frame, 26, 34, 1, kChairLabel);
   const InstanceId first = oracle.mended(frame).instances(30, 25);
   const InstanceId second = oracle.mended(frame).instances(30, 25);
@@ -72,10 +72,10 @@ TEST(OracleFrames, NeverReturnsTheIdOfAMaskThatShowsNoObject) {
 
 TEST(OracleFrames, GivesTrueMasksAndClasses) {
   OracleFrames oracle = oracleFrames({.masks = true, .association = false});
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   paint(frame, 15, 60, 1, kBinLabel);  // one mask over both objects and what is between
   frame.labels(30, 10) = 19;           // a wall
-  const RgbdFrame mended = oracle.mended(frame);
+  const Frame mended = oracle.mended(frame);
   const InstanceId chair = mended.instances(2, 45);
   const InstanceId bin = mended.instances(50, 25);
   EXPECT_NE(chair, kNoInstance);
@@ -90,7 +90,7 @@ TEST(OracleFrames, GivesTrueMasksAndClasses) {
 
 TEST(OracleFrames, HandsTheMendedFrameOn) {
   OracleFrames oracle = oracleFrames({.masks = false, .association = true});
-  RgbdFrame frame = smallFrame();
+  Frame frame = smallFrame();
   paint(frame, 2, 18, 77, kChairLabel);
   oracle.process(frame);
   EXPECT_EQ(dynamic_cast<Listener&>(oracle.system()).last.instances(10, 25), 1);

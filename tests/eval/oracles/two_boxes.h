@@ -44,8 +44,8 @@ inline Camera smallCamera() { return {60, 60, 60, 60, 29.5, 29.5}; }
 inline std::uint32_t pixelAt(int u, int v) { return static_cast<std::uint32_t>(v * 60 + u); }
 
 /// The stamp and pose of twoBoxes(), nothing measured, one mask.
-inline RgbdFrame smallFrame() {
-  RgbdFrame frame;
+inline Frame smallFrame() {
+  Frame frame;
   frame.stamp_ns = 7;
   frame.camera = smallCamera();
   frame.T_world_camera = twoBoxes().trajectory.front().T_world_camera;

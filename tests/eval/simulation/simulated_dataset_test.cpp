@@ -26,7 +26,7 @@ SimulatedConfig smallWorld(const std::string& preset = "default") {
   return config;
 }
 
-void expectEqual(const RgbdFrame& a, const RgbdFrame& b) {
+void expectEqual(const Frame& a, const Frame& b) {
   EXPECT_EQ(a.stamp_ns, b.stamp_ns);
   EXPECT_EQ(a.T_world_camera.matrix(), b.T_world_camera.matrix());
   EXPECT_EQ(a.color, b.color);
@@ -40,7 +40,7 @@ TEST(SimulatedDataset, GivesTheSameBytesForAnyNumberOfThreadsAndInAnyOrder) {
   setNumThreads(1);
   const SimulatedDataset one(smallWorld("hard"));
   const std::vector<std::size_t> chosen = {0, 150, 299};
-  std::vector<RgbdFrame> frames;
+  std::vector<Frame> frames;
   for (const std::size_t index : chosen) frames.push_back(one.frame(index));
   const GroundTruth truth = one.groundTruth();
   for (const int threads : {2, 7}) {
@@ -84,7 +84,7 @@ TEST(SimulatedDataset, FramesAndGroundTruthFitTogether) {
   // label.
   int checked = 0;
   for (const std::size_t index : {20u, 120u, 220u}) {
-    const RgbdFrame frame = dataset.frame(index);
+    const Frame frame = dataset.frame(index);
     EXPECT_EQ(frame.T_world_camera.matrix(), truth.trajectory[index].T_world_camera.matrix());
     for (int v = 5; v < frame.depth.height(); v += 9) {
       for (int u = 5; u < frame.depth.width(); u += 9) {
@@ -110,7 +110,7 @@ TEST(SimulatedDataset, DriftMovesTheReportedPosesOnly) {
   config.odometry.translation_m_per_sqrt_m = 0.1;
   const SimulatedDataset dataset(config);
   const std::size_t last = dataset.numFrames() - 1;
-  const RgbdFrame frame = dataset.frame(last);
+  const Frame frame = dataset.frame(last);
   const Transform& truth = dataset.groundTruth().trajectory[last].T_world_camera;
   EXPECT_GT((frame.T_world_camera.translation() - truth.translation()).norm(), 0.01);
   EXPECT_EQ(truth.matrix(), dataset.trajectory()[last].T_world_camera.matrix());

@@ -55,7 +55,7 @@ TEST(FramePicture, ReducesByTheMeanOfEachBlock) {
 }
 
 TEST(FramePicture, LeavesOutImagesAFrameDoesNotHave) {
-  RgbdFrame frame;
+  Frame frame;
   frame.color = Image<Rgb>(4, 2);
   frame.depth = Image<float>(4, 2);
   EXPECT_EQ(framePicture(frame).width(), 4 + 4 + 4);
