@@ -10,6 +10,7 @@
 #include "core/graph/spark_dsg_json.h"
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
+#include "eval/experiment/yardstick.h"
 
 namespace hydrabench {
 namespace {
@@ -29,16 +30,16 @@ struct Worker {
   }
 
   /// From the end of the warm-up.
-  std::vector<double> frameTimes() const {
-    std::vector<double> wall_ms;
+  /// @param yardstick_ms  of every frame
+  void fill(const std::vector<double>& yardstick_ms, FrameTimes& times) const {
     for (const StageTimes::Stage& stage : whole.stages()) {
       if (stage.name != "frame") continue;
       const std::size_t first = stage.samples.size() > kWarmUpFrames ? kWarmUpFrames : 0;
       for (std::size_t i = first; i < stage.samples.size(); ++i) {
-        wall_ms.push_back(stage.samples[i].wall_ms);
+        times.wall_ms.push_back(stage.samples[i].wall_ms);
+        times.yardstick_ms.push_back(yardstick_ms[i]);
       }
     }
-    return wall_ms;
   }
 };
 
@@ -74,9 +75,12 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
   const std::size_t count =
       max_frames == 0 ? dataset.numFrames() : std::min(max_frames, dataset.numFrames());
   std::int64_t first_stamp_ns = 0;
+  Yardstick yardstick;
+  std::vector<double> yardstick_ms;
   const auto failed = [](const MethodRun& run) { return !run.failure.empty(); };
   for (std::size_t i = 0; i < count && !std::all_of(runs.begin(), runs.end(), failed); ++i) {
     const Frame frame = dataset.frame(i);
+    yardstick_ms.push_back(yardstick.measure());
     for (std::size_t m = 0; m < methods.size(); ++m) {
       attempt(runs[m], [&] {
         Worker& worker = workers[m];
@@ -113,7 +117,8 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
       const std::string seed = std::to_string(dataset.seed());
       runs[m].timing =
           timingRows(dataset.name(), seed, methods[m].name, worker.times(), worker.warm_up);
-      runs[m].frame_times = {dataset.name(), seed, methods[m].name, worker.frameTimes()};
+      runs[m].frame_times = {dataset.name(), seed, methods[m].name, {}, {}};
+      worker.fill(yardstick_ms, runs[m].frame_times);
     });
     workers[m].system.reset();  // its memory, before the next one finishes
   }

@@ -70,33 +70,40 @@ Verdict judge(double low, double high, double floor, int better) {
 /// Fewer tell nothing of what a machine does besides.
 constexpr std::size_t kFewestStretches = 8;
 
-/// Times of both results over stretches of frames.
+/// Times of both results over stretches of frames, each in units of the yardstick that was timed
+/// beside it, so that other work on the machine, then or now, is not taken for the program's.
 class Stretches {
  public:
-  void addWorld(const std::vector<double>& before, const std::vector<double>& after) {
+  void addWorld(const FrameTimes& before, const FrameTimes& after) {
     constexpr std::size_t kFrames = 25;
-    for (std::size_t i = 0; i < before.size(); ++i) {
+    const bool has_yardsticks = !before.yardstick_ms.empty() && !after.yardstick_ms.empty();
+    for (std::size_t i = 0; i < before.wall_ms.size(); ++i) {
       if (i % kFrames == 0) sums_.emplace_back();
-      sums_.back().a += before[i];
-      sums_.back().b += after[i];
+      Sums& sums = sums_.back();
+      sums.wall.a += before.wall_ms[i];
+      sums.wall.b += after.wall_ms[i];
+      sums.yardstick.a += has_yardsticks ? before.yardstick_ms[i] : 1;
+      sums.yardstick.b += has_yardsticks ? after.yardstick_ms[i] : 1;
     }
-    frames_ += before.size();
+    frames_ += before.wall_ms.size();
   }
 
   /// Nothing where there are no frames.
   std::optional<Line> compared(const NoiseFloor& floor) const {
     const auto sum = [&](std::span<const std::size_t> drawn) {
-      PairedValue total;
+      Sums total;
       for (const std::size_t i : drawn) {
-        total.a += sums_[i].a;
-        total.b += sums_[i].b;
+        total.wall.a += sums_[i].wall.a;
+        total.wall.b += sums_[i].wall.b;
+        total.yardstick.a += sums_[i].yardstick.a;
+        total.yardstick.b += sums_[i].yardstick.b;
       }
       return total;
     };
     std::vector<std::size_t> all(sums_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const PairedValue total = sum(all);
-    if (total.a <= 0) return std::nullopt;
+    const Sums total = sum(all);
+    if (total.wall.a <= 0) return std::nullopt;
     BootstrapConfig config;
     config.resamples = floor.resamples;
     // All worlds in one stratum: short ones have but a stretch or two.
@@ -104,20 +111,20 @@ class Stretches {
     const auto change = bootstrapStatistic(
         sizes,
         [&](std::span<const std::size_t> drawn) -> std::optional<double> {
-          const PairedValue of_draw = sum(drawn);
-          if (of_draw.a <= 0) return std::nullopt;
-          return of_draw.b / of_draw.a - 1;
+          const Sums of_draw = sum(drawn);
+          if (of_draw.wall.a <= 0 || of_draw.yardstick.b <= 0) return std::nullopt;
+          return of_draw.wall.b / of_draw.wall.a * (of_draw.yardstick.a / of_draw.yardstick.b) - 1;
         },
         config);
     Line line;
     line.metric = "time per frame [ms]";
-    line.before = total.a / static_cast<double>(frames_);
-    line.after = total.b / static_cast<double>(frames_);
+    line.before = total.wall.a / static_cast<double>(frames_);
+    line.after = total.wall.b / static_cast<double>(frames_);
     line.low = change->interval.low;
     line.high = change->interval.high;
     // Two runs never take the same time: a little faster is the same, as a little slower is.
     const bool one_run = std::all_of(sums_.begin(), sums_.end(),
-                                     [](const PairedValue& times) { return times.a == times.b; });
+                                     [](const Sums& sums) { return sums.wall.a == sums.wall.b; });
     if (one_run) {
       line.verdict = Verdict::kSame;
     } else if (sums_.size() < kFewestStretches) {
@@ -134,7 +141,11 @@ class Stretches {
   }
 
  private:
-  std::vector<PairedValue> sums_;  ///< a: before, b: after
+  struct Sums {  ///< a: before, b: after
+    PairedValue wall;
+    PairedValue yardstick;
+  };
+  std::vector<Sums> sums_;
   std::size_t frames_ = 0;
 };
 
@@ -243,22 +254,22 @@ class Comparer {
                               machine(after_path_)));
     }
     using Key = std::pair<std::string, std::string>;
-    std::map<Key, std::map<std::string, std::vector<double>>> before;
+    std::map<Key, std::map<std::string, FrameTimes>> before;
     for (FrameTimes& times : readFrameTimesCsv(before_file)) {
-      before[{times.dataset, times.method}][times.seed] = std::move(times.wall_ms);
+      before[{times.dataset, times.method}][times.seed] = std::move(times);
     }
     std::map<Key, Stretches> methods;
     for (const FrameTimes& times : readFrameTimesCsv(after_file)) {
       const auto known = before.find({times.dataset, times.method});
       if (known == before.end() || !known->second.contains(times.seed)) continue;
-      const std::vector<double>& earlier = known->second.at(times.seed);
-      if (earlier.size() != times.wall_ms.size()) {
+      const FrameTimes& earlier = known->second.at(times.seed);
+      if (earlier.wall_ms.size() != times.wall_ms.size()) {
         note(fmt::format("time: {}, seed {}, {}: not compared, {} frames before and {} after",
-                         times.dataset, times.seed, methodLabel(times.method), earlier.size(),
-                         times.wall_ms.size()));
+                         times.dataset, times.seed, methodLabel(times.method),
+                         earlier.wall_ms.size(), times.wall_ms.size()));
         continue;
       }
-      methods[{times.dataset, times.method}].addWorld(earlier, times.wall_ms);
+      methods[{times.dataset, times.method}].addWorld(earlier, times);
     }
     for (const auto& [key, stretches] : methods) {
       if (auto line = stretches.compared(floor_)) {

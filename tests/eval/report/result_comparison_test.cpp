@@ -62,6 +62,8 @@ constexpr const char* kTime = "time per frame [ms]";
 class CompareResults : public ::testing::Test {
  protected:
   double other_work_ = 1;
+  double yardstick_ms_ = 0.5;        ///< 0: not measured, as in older results
+  double yardstick_under_work_ = 1;  ///< what the other work does to it
 
   void write(const std::string& name, const std::vector<MethodEvaluation>& evaluations,
              double frame_ms = 10, const std::string& cpu = "some cpu") {
@@ -72,10 +74,12 @@ class CompareResults : public ::testing::Test {
     writeText(folder_ / name / "scores.csv", scoresCsv(rows));
     writeText(folder_ / name / "objects.csv", objectsCsv(evaluations));
     // Frames take turns in being quick and slow; every tenth stretch of 25 hits other work.
-    FrameTimes times{"office", "1", "hydra", {}};
+    FrameTimes times{"office", "1", "hydra", {}, {}};
     for (int i = 0; i < 500; ++i) {
       const double other_work = i / 25 % 10 == 0 ? other_work_ : 1;
       times.wall_ms.push_back(frame_ms * (1 + i % 3) / 2 * other_work);
+      if (yardstick_ms_ == 0) continue;
+      times.yardstick_ms.push_back(yardstick_ms_ * (other_work > 1 ? yardstick_under_work_ : 1));
     }
     writeText(folder_ / name / "frame_times.csv", frameTimesCsv({times}));
     writeText(folder_ / name / "provenance.json", "{\"cpu\": \"" + cpu + "\", \"cores\": 2}");
@@ -179,11 +183,36 @@ TEST_F(CompareResults, TimesOfADisturbedMachineAreInconclusive) {
   EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
 }
 
+TEST_F(CompareResults, WhatSlowsTheYardstickAsMuchIsNotTheProgram) {
+  write("a", {finder(30, 0.8)}, 10);
+  other_work_ = yardstick_under_work_ = 2;
+  write("b", {finder(30, 0.8)}, 10);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kSame);
+  // A machine that is slower throughout.
+  other_work_ = yardstick_under_work_ = 1;
+  yardstick_ms_ = 0.6;
+  write("b", {finder(30, 0.8)}, 12);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kSame);
+  EXPECT_NEAR(line(compare(), kTime).after / line(compare(), kTime).before, 1.2, 1e-4);
+  write("b", {finder(30, 0.8)}, 12 * 1.05);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kWorse);
+}
+
+TEST_F(CompareResults, ResultsWithoutAYardstickAreComparedByTheClock) {
+  write("a", {finder(30, 0.8)}, 10);
+  yardstick_ms_ = 0;
+  write("b", {finder(30, 0.8)}, 12);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kWorse);
+  writeText(folder_ / "b/frame_times.csv",
+            "dataset,seed,method,frame,wall_ms\noffice,1,hydra,0,10\noffice,1,hydra,1,10\n");
+  EXPECT_THAT(compare().notes, ::testing::ElementsAre(HasSubstr("500 frames before and 2 after")));
+}
+
 TEST_F(CompareResults, AFewFramesAreTooLittleToSay) {
   write("a", {finder(30, 0.8)}, 10);
   write("b", {finder(30, 0.8)}, 13);
   for (const auto& [name, frame_ms] : {std::pair{"a", 10.0}, std::pair{"b", 20.0}}) {
-    const FrameTimes times{"office", "1", "hydra", std::vector<double>(7 * 25, frame_ms)};
+    const FrameTimes times{"office", "1", "hydra", std::vector<double>(7 * 25, frame_ms), {}};
     writeText(folder_ / name / "frame_times.csv", frameTimesCsv({times}));
   }
   EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
@@ -192,7 +221,7 @@ TEST_F(CompareResults, AFewFramesAreTooLittleToSay) {
 TEST_F(CompareResults, OtherFramesAreNotCompared) {
   write("a", {finder(30, 0.8)}, 10);
   write("b", {finder(30, 0.8)}, 10);
-  writeText(folder_ / "b/frame_times.csv", frameTimesCsv({{"office", "1", "hydra", {10, 10}}}));
+  writeText(folder_ / "b/frame_times.csv", frameTimesCsv({{"office", "1", "hydra", {10, 10}, {}}}));
   EXPECT_THAT(compare().notes, ::testing::ElementsAre(HasSubstr("500 frames before and 2 after")));
 }
 
