@@ -29,20 +29,22 @@ Hydra::Hydra(const Config& config, const LabelSpace& label_space)
       label_space_(label_space),
       dynamic_labels_(labelsNamed(config.dynamic_classes, label_space)),
       window_(config.window),
+      lidar_(config.lidar, label_space, dynamic_labels_),
       objects_(config.objects, objectLabels(label_space)) {}
 
 void Hydra::process(const Frame& frame) {
-  if (frame.labels.empty()) {
+  if (frame.labels.empty() && !config_.lidar.enabled) {
     throw InputError(
         fmt::format("hydra: the frame at {} ns has no label image; expected one", frame.stamp_ns));
   }
   last_stamp_ns_ = frame.stamp_ns;
   last_position_ = frame.T_world_camera.translation();
-  {
+  lidar_.integrate(frame, window_, times_);
+  if (lidar_.cameraInMap() && !frame.depth.empty()) {
     const StageTimes::Scope stage(times_, "integrate");
     SensorView view = sensorView(frame, config_.min_range_m, config_.max_range_m);
     Image<std::uint8_t> mask(view.range.width(), view.range.height());
-    maskClasses(frame.labels, dynamic_labels_, mask);
+    if (!frame.labels.empty()) maskClasses(frame.labels, dynamic_labels_, mask);
     if (!dynamic_labels_.empty()) view.mask = &mask;
     window_.integrate(view);
   }
@@ -59,6 +61,7 @@ void Hydra::update() {
 }
 
 SceneGraph Hydra::finish() {
+  lidar_.requireScans();
   update();
   window_.finish();
   objects_.refresh(window_.mesh());
@@ -69,6 +72,8 @@ SceneGraph Hydra::finish() {
   parallelFor(graph.objects.size(),
               [&](std::size_t i) { graph.objects[i] = objectNode(objects_.nodes()[i]); });
   graph.scene_mesh = window_.mesh().mesh(&graph.scene_labels);
+  graph.occupied = window_.takeOccupied();
+  graph.occupied_voxel_m = config_.window.tsdf.voxel_size_m;
   return graph;
 }
 
@@ -92,6 +97,8 @@ void read(ConfigReader& reader, Hydra::Config& config) {
     reader.fault("max_range_m", "is not above min_range_m");
   }
   reader.field("dynamic_classes", config.dynamic_classes);
+  auto lidar = reader.section("lidar");
+  read(lidar, config.lidar);
   auto window = reader.section("window");
   read(window, config.window);
   auto objects = reader.section("objects");

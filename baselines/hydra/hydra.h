@@ -8,6 +8,7 @@
 
 #include "baselines/hydra/mesh_objects.h"
 #include "core/config/config_reader.h"
+#include "core/lidar/lidar_input.h"
 #include "core/mapping/active_window.h"
 #include "core/pipeline/mapping_system.h"
 
@@ -55,13 +56,14 @@ class Hydra : public MappingSystem {
     double max_range_m = 5;
     /// Names of classes that move: kept out of the map.
     std::vector<std::string> dynamic_classes = {"human"};
+    LidarInput::Config lidar;  ///< off
     ActiveWindow::Config window;
     MeshObjects::Config objects;
   };
   /// Objects are of the classes that are objects in the label space.
   Hydra(const Config& config, const LabelSpace& label_space);
 
-  /// Throws InputError where the frame has no label image.
+  /// Throws InputError where the frame has no label image; with a lidar, it need not have images.
   void process(const Frame& frame) override;
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }
@@ -77,6 +79,7 @@ class Hydra : public MappingSystem {
   LabelSpace label_space_;
   std::vector<Label> dynamic_labels_;
   ActiveWindow window_;
+  LidarInput lidar_;
   MeshObjects objects_;
   StageTimes times_;
   std::int64_t last_stamp_ns_ = 0;

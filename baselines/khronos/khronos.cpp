@@ -18,7 +18,8 @@ Khronos::Khronos(const Config& config, const LabelSpace& label_space)
       objects_(config.min_merge_iou) {}
 
 void Khronos::process(const Frame& frame) {
-  bufferFrame(frame, front_end_.process(frame, times_));
+  FrameCandidates candidates = front_end_.process(frame, times_);
+  bufferFrame(front_end_.objectFrame(frame), std::move(candidates));
   if (!front_end_.updateMesh(frame, times_)) return;
   const StageTimes::Scope stage(times_, "extract");
   extractObjects(front_end_.tracker().takeEnded(frame.stamp_ns));
@@ -26,6 +27,7 @@ void Khronos::process(const Frame& frame) {
 }
 
 SceneGraph Khronos::finish() {
+  front_end_.requireScans();
   extractObjects(front_end_.tracker().takeAll());
   buffer_.keepOnly({});
   front_end_.window().finish();
@@ -34,6 +36,8 @@ SceneGraph Khronos::finish() {
   graph.label_space = label_space_;
   graph.objects = objects_.nodes();
   graph.scene_mesh = window().mesh().mesh(&graph.scene_labels);
+  graph.occupied = front_end_.window().takeOccupied();
+  graph.occupied_voxel_m = config_.window.tsdf.voxel_size_m;
   return graph;
 }
 

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
+#include <cstring>
+#include <string>
+#include <vector>
+
 #include "core/graph/candidate_io.h"
 #include "core/graph/json_text.h"
 #include "core/graph/spark_dsg_json.h"
@@ -12,6 +16,35 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* kGraphFile = "scene_graph.json";
 constexpr const char* kPredictionFile = "prediction.json";
+constexpr const char* kOccupiedFile = "occupied.bin";
+
+/// The side of a voxel, then x, y, z of each centre; all float32, little endian [m].
+void writeOccupied(const fs::path& folder, const SceneGraph& graph) {
+  std::vector<float> numbers = {static_cast<float>(graph.occupied_voxel_m)};
+  numbers.reserve(1 + 3 * graph.occupied.size());
+  for (const Eigen::Vector3f& p : graph.occupied) {
+    numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
+  }
+  std::string bytes(numbers.size() * sizeof(float), 0);
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  writeFileAtomic(folder / kOccupiedFile, bytes);
+}
+
+void readOccupied(const fs::path& folder, SceneGraph& graph) {
+  const fs::path file = folder / kOccupiedFile;
+  if (!fs::exists(file)) return;
+  const std::string bytes = readFile(file);
+  if (bytes.size() % (3 * sizeof(float)) != sizeof(float)) {
+    throw InputError(fmt::format("{}: {} bytes; expected 4 for the side of a voxel and 12 for each",
+                                 file.string(), bytes.size()));
+  }
+  std::vector<float> numbers(bytes.size() / sizeof(float));
+  std::memcpy(numbers.data(), bytes.data(), bytes.size());
+  graph.occupied_voxel_m = numbers[0];
+  for (std::size_t i = 1; i < numbers.size(); i += 3) {
+    graph.occupied.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  }
+}
 
 }  // namespace
 
@@ -61,7 +94,10 @@ Prediction readPrediction(const fs::path& path) {
     prediction.method = description.method;
     prediction.notes = description.notes;
   }
-  if (graph_file.filename() == kGraphFile) prediction.candidates = readCandidates(folder);
+  if (graph_file.filename() == kGraphFile) {
+    prediction.candidates = readCandidates(folder);
+    readOccupied(folder, prediction.graph);
+  }
   return prediction;
 }
 
@@ -78,6 +114,7 @@ void fillPredictionFolder(const fs::path& folder, const Prediction& prediction) 
   writeSparkDsg(folder / kGraphFile, prediction.graph);
   writePredictionDescription(folder, {prediction.method, prediction.notes});
   if (!prediction.candidates.empty()) writeCandidates(folder, prediction.candidates);
+  if (!prediction.graph.occupied.empty()) writeOccupied(folder, prediction.graph);
 }
 
 void writePrediction(const fs::path& folder, const Prediction& prediction) {

@@ -34,6 +34,10 @@ struct SceneGraph {
   std::vector<ObjectNode> objects;
   Mesh scene_mesh;                  ///< world frame [m]; may be empty
   std::vector<Label> scene_labels;  ///< per vertex of scene_mesh, or empty
+  /// Centres of the voxels that the map takes for solid, world frame [m]; empty where the method
+  /// does not keep them, see ActiveWindow::Config::keep_occupied.
+  std::vector<Eigen::Vector3f> occupied;
+  double occupied_voxel_m = 0;  ///< side of those voxels
 };
 
 /// What a mapping system leaves behind, and what evaluation reads.

@@ -29,10 +29,10 @@ ActiveWindow::ActiveWindow(const Config& config)
       volume_(config.tsdf),
       mesh_(config.vertex_merge_m) {}
 
-void ActiveWindow::integrate(const SensorView& view) {
+void ActiveWindow::integrate(const SensorView& view, const TsdfIntegrator& integrator) {
   requireInsideGrid(view.stamp_ns, view.T_world_sensor.translation(),
                     std::min(config_.vertex_merge_m, volume_.grid().voxel_size));
-  const std::vector<BlockIndex> changed = integrator_.integrate(view, volume_);
+  const std::vector<BlockIndex> changed = integrator.integrate(view, volume_);
   if (config_.track_freespace) freespace_.update(changed, view.stamp_ns, volume_);
 }
 
@@ -110,6 +110,14 @@ void ActiveWindow::takeMesh() {
 
 void ActiveWindow::archive(const BlockIndex& block) {
   mesh_.archive(block);
+  if (config_.keep_occupied) {
+    const VoxelGrid& grid = volume_.grid();
+    const std::vector<TsdfVoxel>& voxels = volume_.find(block)->voxels;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      if (voxels[i].distance >= 0 || voxels[i].weight < config_.mesh_min_weight) continue;
+      occupied_.push_back(grid.centerOf(grid.globalOf(block, i)).cast<float>());
+    }
+  }
   volume_.remove(block);
 }
 
@@ -124,6 +132,7 @@ void read(ConfigReader& reader, ActiveWindow::Config& config) {
   reader.field("mesh_min_weight", config.mesh_min_weight, Bounds{0.0, 1e9});
   reader.field("vertex_merge_m", config.vertex_merge_m, Bounds{1e-6, 10.0});
   reader.field("output_separation_s", config.output_separation_s, Bounds{0.0, 1e6});
+  reader.field("keep_occupied", config.keep_occupied);
   reader.field("track_freespace", config.track_freespace);
   auto freespace = reader.section("freespace");
   read(freespace, config.freespace);

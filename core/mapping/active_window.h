@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/config/config_reader.h"
@@ -39,14 +40,20 @@ class ActiveWindow {
     double mesh_min_weight = 1e-4;
     double vertex_merge_m = 0.005;
     double output_separation_s = 0.2;  ///< of two updates of the mesh
-    bool track_freespace = false;      ///< keep FreespaceVoxels: motion detection needs them
+    /// Keep a list of the voxels that are behind a surface when their block leaves the map: to
+    /// judge what a map takes for solid. Voxels the mesh does not see (mesh_min_weight) are left
+    /// out.
+    bool keep_occupied = false;
+    bool track_freespace = false;  ///< keep FreespaceVoxels: motion detection needs them
     FreespaceTracker::Config freespace;
   };
   explicit ActiveWindow(const Config& config);
 
   /// Fuses a frame into the volume, then, if asked for, tracks free space in the blocks that
   /// changed. Throws InputError too far from the origin, see requireInsideGrid().
-  void integrate(const SensorView& view);
+  void integrate(const SensorView& view) { integrate(view, integrator_); }
+  /// The same for a sensor with an integrator of its own.
+  void integrate(const SensorView& view, const TsdfIntegrator& integrator);
 
   /// True if the last mesh update lies output_separation_s back (or there was none).
   bool updateDue(std::int64_t stamp_ns) const;
@@ -62,6 +69,8 @@ class ActiveWindow {
 
   const TsdfVolume& volume() const { return volume_; }
   const MapMesh& mesh() const { return mesh_; }
+  /// Their centres, in the order in which their blocks left; empty unless kept.
+  std::vector<Eigen::Vector3f> takeOccupied() { return std::move(occupied_); }
 
  private:
   void takeMesh();
@@ -74,6 +83,7 @@ class ActiveWindow {
   FreespaceTracker freespace_;
   TsdfVolume volume_;
   MapMesh mesh_;
+  std::vector<Eigen::Vector3f> occupied_;
   std::optional<std::int64_t> last_update_ns_;
 };
 

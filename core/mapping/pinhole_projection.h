@@ -9,27 +9,12 @@
 #include <Eigen/Core>
 
 #include "core/geometry/camera.h"
+#include "core/mapping/footprint.h"
 
 namespace hydrabench {
 
-/// Pixels from (u0, v0) to (u1, v1), both inclusive.
-struct PixelRect {
-  int u0 = 0;
-  int v0 = 0;
-  int u1 = 0;
-  int v1 = 0;
-};
-
-/// Where a convex body appears in the image.
-struct Footprint {
-  bool outside = false;  ///< no point of it is seen
-  bool inside = false;   ///< every point of it is seen
-  PixelRect pixels;      ///< all that interpolation at any of its points may read
-};
-
-/// How the TSDF integrator looks from a point of the sensor frame into a range image: the functions
-/// that another kind of sensor (a spinning LiDAR) would have to offer. Only
-/// core/mapping/tsdf_integrator.cpp includes this.
+/// How the TSDF integrator looks from a point of the sensor frame into a range image; see also
+/// LidarProjection. Only core/mapping/tsdf_integrator.cpp includes this.
 class PinholeProjection {
  public:
   explicit PinholeProjection(const Camera& camera)

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/geometry/camera.h"
+#include "core/geometry/lidar_model.h"
 #include "core/geometry/transform.h"
 #include "core/types/frame.h"
 
@@ -30,7 +32,10 @@ struct RangeTiles {
 struct SensorView {
   std::int64_t stamp_ns = 0;
   Transform T_world_sensor = Transform::Identity();
+  /// Of a pinhole camera; of no size where the view is that of a lidar.
   Camera camera;
+  /// Then `range` has one column more, its first one once more: see LidarProjection.
+  std::optional<LidarModel> lidar;
   /// Distance along the ray [m]; 0: nothing measured, or nearer than min_range_m. May be beyond
   /// max_range_m: then the surface is too far to map, and what lies before it is known to be free.
   Image<float> range;
@@ -45,6 +50,8 @@ struct SensorView {
   /// Pixels other than 0 update no voxel near the surface they see (moving things); what lies in
   /// front of them is carved free all the same.
   const Image<std::uint8_t>* mask = nullptr;
+  /// Pixels other than 0 see ground: see TsdfIntegrator.
+  const Image<std::uint8_t>* ground = nullptr;
 };
 
 /// Ranges from the z-depth of a frame. Points to the frame's colours and labels, empty images

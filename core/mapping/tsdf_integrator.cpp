@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/mapping/lidar_projection.h"
 #include "core/mapping/pinhole_projection.h"
 #include "core/mapping/range_sample.h"
 #include "core/parallel/parallel_for.h"
@@ -34,10 +35,10 @@ template <typename Projection>
 class FrameUpdate {
  public:
   FrameUpdate(const TsdfIntegrator::Config& config, const SensorView& view,
-              const TsdfVolume& volume)
+              const Projection& projection, const TsdfVolume& volume)
       : view_(view),
         grid_(volume.grid()),
-        projection_(view.camera),
+        projection_(projection),
         sampler_(view.range, interpolationNamed(config.interpolation),
                  static_cast<float>(config.max_range_difference_m)),
         T_sensor_world_(view.T_world_sensor.inverse()),
@@ -48,11 +49,14 @@ class FrameUpdate {
         rays_(static_cast<float>(grid_.voxel_size * grid_.voxel_size) * projection_.focalArea()),
         constant_weight_(config.constant_weight),
         min_weight_(static_cast<float>(config.min_weight)),
-        max_weight_(static_cast<float>(config.max_weight)) {
-    assert(view.range.width() == view.camera.width && view.range.height() == view.camera.height);
+        max_weight_(static_cast<float>(config.max_weight)),
+        ground_weight_(static_cast<float>(config.ground_band.weight)),
+        behind_(truncation_ +
+                (view.ground ? static_cast<float>(config.ground_band.extra_m) : 0.0f)) {
     assert(view.color == nullptr || view.color->size() == view.range.size());
     assert(view.labels == nullptr || view.labels->size() == view.range.size());
     assert(view.mask == nullptr || view.mask->size() == view.range.size());
+    assert(view.ground == nullptr || view.ground->size() == view.range.size());
     const double start = config.dropoff_start_voxels * grid_.voxel_size;
     if (config.weight_dropoff && start < volume.config().truncation_m) {
       dropoff_start_ = static_cast<float>(-start);
@@ -102,7 +106,7 @@ class FrameUpdate {
     if (view_.tiles.empty()) return Coverage::kMixed;
     const PixelRect& pixels = footprint.pixels;
     const RangeTiles::Bounds seen = view_.tiles.over(pixels.u0, pixels.v0, pixels.u1, pixels.v1);
-    if (nearest > seen.max + truncation_ + kMargin) return Coverage::kNothing;
+    if (nearest > seen.max + behind_ + kMargin) return Coverage::kNothing;
     const bool free = footprint.inside && seen.min > farthest + truncation_ + kMargin &&
                       nearest > view_.min_range_m + kMargin && farthest < limit_m_ - kMargin;
     return free ? Coverage::kFree : Coverage::kMixed;
@@ -155,8 +159,8 @@ class FrameUpdate {
     RangeSample sample;
     if (!projection_.project(p, u, v) || !sampler_.sample(u, v, sample)) return false;
     const float distance = sample.range - std::sqrt(squared);
-    // Here a wider band behind ground would be let through, clamped to -truncation.
-    if (!(distance >= -truncation_)) return false;
+    if (!(distance >= -truncation_))
+      return updateBehindGround(distance, sample, block.voxels[voxel]);
     const float sdf = std::min(distance, truncation_);
     const float w = weight(p, sdf);
     TsdfVoxel& tsdf = block.voxels[voxel];
@@ -167,6 +171,15 @@ class FrameUpdate {
         block.semantics->fuse(voxel, chooseId(*view_.labels, sample), w);
     }
     fuse(sdf, w, tsdf);
+    return true;
+  }
+
+  /// The ground band: a voxel farther behind the surface than the truncation distance.
+  bool updateBehindGround(float distance, const RangeSample& sample, TsdfVoxel& voxel) const {
+    if (!(distance >= -behind_) || view_.ground == nullptr) return false;
+    if (chooseId(*view_.ground, sample) == 0) return false;
+    if (view_.mask != nullptr && chooseId(*view_.mask, sample) != 0) return false;
+    fuse(-truncation_, ground_weight_, voxel);
     return true;
   }
 
@@ -213,21 +226,33 @@ class FrameUpdate {
   const bool constant_weight_;
   const float min_weight_;
   const float max_weight_;
+  const float ground_weight_;
+  const float behind_;  ///< how far behind the surface anything may be written [m]
   float dropoff_start_ = -std::numeric_limits<float>::infinity();
   float dropoff_slope_ = 0;
 };
 
-}  // namespace
+/// Calls body(FrameUpdate) with the projection of the view's sensor.
+template <typename Body>
+auto withFrameUpdate(const TsdfIntegrator::Config& config, const SensorView& view,
+                     const TsdfVolume& volume, const Body& body) {
+  if (view.lidar) {
+    assert(view.range.width() == view.lidar->columns + 1 &&
+           view.range.height() == view.lidar->rows);
+    return body(FrameUpdate(config, view, LidarProjection(*view.lidar), volume));
+  }
+  assert(view.range.width() == view.camera.width && view.range.height() == view.camera.height);
+  return body(FrameUpdate(config, view, PinholeProjection(view.camera), volume));
+}
 
-std::vector<BlockIndex> TsdfIntegrator::integrate(const SensorView& view,
-                                                  TsdfVolume& volume) const {
+template <typename Projection>
+std::vector<BlockIndex> integrateFrame(const FrameUpdate<Projection>& frame, TsdfVolume& volume) {
   struct Task {
     BlockIndex index;
     Coverage known;
     VoxelBlock* block;
     bool is_new;
   };
-  const FrameUpdate<PinholeProjection> frame(config_, view, volume);
   if (!frame.seesAnything()) return {};
   std::vector<Task> tasks;
   for (const auto& [index, known] : frame.candidates()) {
@@ -252,21 +277,30 @@ std::vector<BlockIndex> TsdfIntegrator::integrate(const SensorView& view,
   return changed_blocks;
 }
 
+}  // namespace
+
+std::vector<BlockIndex> TsdfIntegrator::integrate(const SensorView& view,
+                                                  TsdfVolume& volume) const {
+  return withFrameUpdate(config_, view, volume,
+                         [&](const auto& frame) { return integrateFrame(frame, volume); });
+}
+
 void TsdfIntegrator::integrateBlocks(const SensorView& view, std::span<const BlockIndex> blocks,
                                      TsdfVolume& volume) const {
-  const FrameUpdate<PinholeProjection> frame(config_, view, volume);
-  if (!frame.seesAnything()) return;
-  constexpr std::size_t kGrain = 8;  // blocks may be small
-  parallelFor(
-      blocks.size(),
-      [&](std::size_t i) {
-        VoxelBlock* block = volume.find(blocks[i]);
-        assert(block != nullptr);
-        // Without tiles every voxel is looked at: the reference for what is decided early.
-        const bool decide = !view.tiles.empty();
-        frame.update(blocks[i], decide ? frame.coverage(blocks[i]) : Coverage::kMixed, *block);
-      },
-      kGrain);
+  withFrameUpdate(config_, view, volume, [&](const auto& frame) {
+    if (!frame.seesAnything()) return;
+    constexpr std::size_t kGrain = 8;  // blocks may be small
+    parallelFor(
+        blocks.size(),
+        [&](std::size_t i) {
+          VoxelBlock* block = volume.find(blocks[i]);
+          assert(block != nullptr);
+          // Without tiles every voxel is looked at: the reference for what is decided early.
+          const bool decide = !view.tiles.empty();
+          frame.update(blocks[i], decide ? frame.coverage(blocks[i]) : Coverage::kMixed, *block);
+        },
+        kGrain);
+  });
 }
 
 void read(ConfigReader& reader, TsdfIntegrator::Config& config) {
@@ -277,6 +311,9 @@ void read(ConfigReader& reader, TsdfIntegrator::Config& config) {
   reader.field("dropoff_start_voxels", config.dropoff_start_voxels, {0, 100});
   reader.field("min_weight", config.min_weight, {1e-12, 1e6});
   reader.field("max_weight", config.max_weight, {1e-6, 1e12});
+  auto ground_band = reader.section("ground_band");
+  ground_band.field("extra_m", config.ground_band.extra_m, {0, 100});
+  ground_band.field("weight", config.ground_band.weight, {1e-12, 1e6});
 }
 
 }  // namespace hydrabench

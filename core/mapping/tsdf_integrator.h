@@ -17,8 +17,22 @@ namespace hydrabench {
 /// (Curless and Levoy, SIGGRAPH 1996). The signed
 /// distance of a voxel is measured range minus its own range, along the ray. In parallel over
 /// blocks; results do not depend on the number of threads.
+///
+/// Behind ground that is seen at a grazing angle, a distance along the ray is many times the
+/// distance to the surface, and the voxels just below the ground fall behind the band: there is no
+/// change of sign, and the ground has holes. The ground band (paper, "Ground-Aware Adaptive
+/// Integration Strategy") lets measurements of ground through up to extra_m behind the band,
+/// clamped to its lower end, with a small constant weight that any other measurement outweighs.
+/// Where nothing else is measured, as behind a kerb, a step or the edge of a terrace, it fills what
+/// is empty. Hydra's extra_integration_distance is similar; with a list of labels it also drops
+/// free space in front of whatever is not listed, which is not done here.
 class TsdfIntegrator {
  public:
+  /// Of views that tell the ground.
+  struct GroundBand {
+    double extra_m = 0;    ///< the paper's d_extra; 0: off
+    double weight = 1e-3;  ///< a mesh that asks for more has none of it, see mesh_min_weight
+  };
   struct Config {
     /// nearest, bilinear, or adaptive: bilinear unless the four ranges around the projection differ
     /// by more than max_range_difference_m.
@@ -29,6 +43,7 @@ class TsdfIntegrator {
     double dropoff_start_voxels = 1;
     double min_weight = 1e-4;  ///< of one measurement
     double max_weight = 1e5;   ///< of a voxel
+    GroundBand ground_band = {};
   };
   explicit TsdfIntegrator(const Config& config) : config_(config) {}
 

@@ -53,13 +53,14 @@ HydraPlusPlus::HydraPlusPlus(const Config& config, const LabelSpace& label_space
 
 void HydraPlusPlus::process(const Frame& frame) {
   const FrameCandidates candidates = front_end_.process(frame, times_);
-  keepViews(frame, candidates);
+  keepViews(front_end_.objectFrame(frame), candidates);
   if (!front_end_.updateMesh(frame, times_)) return;
   estimateShapes(front_end_.tracker().takeEnded(frame.stamp_ns));
   collectEstimates(/*all=*/false);
 }
 
 SceneGraph HydraPlusPlus::finish() {
+  front_end_.requireScans();
   estimateShapes(front_end_.tracker().takeAll());
   front_end_.window().finish();
   collectEstimates(/*all=*/true);
@@ -73,6 +74,8 @@ SceneGraph HydraPlusPlus::finish() {
   graph.label_space = label_space_;
   graph.objects = objectNodes(candidates_, decision, label_space_);
   graph.scene_mesh = front_end_.window().mesh().mesh(&graph.scene_labels);
+  graph.occupied = front_end_.window().takeOccupied();
+  graph.occupied_voxel_m = config_.window.tsdf.voxel_size_m;
   return graph;
 }
 

@@ -41,8 +41,8 @@ namespace hydrabench {
 ///  - Of a track only its best views are kept (BestViews); the best of all is always among them.
 ///  - Limits of pixels and box volume of a candidate are not published: 50 pixels as in Khronos, no
 ///    limit of volume.
-/// And as in Khronos here: poses are given and fixed, there are no loop closures, places or rooms;
-/// the TSDF has no wider band behind the ground, which is for lidar.
+/// And as in Khronos here: poses are given and fixed, there are no loop closures, places or rooms.
+/// With a lidar (LidarInput) the map is made from its sweeps, with a wider band behind the ground.
 ///
 /// Estimates are made off the mapping thread. Their results are taken in the order of the tracks,
 /// and each is a function of its track alone: timing and numbers of threads change nothing.

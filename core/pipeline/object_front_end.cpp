@@ -19,11 +19,19 @@ ObjectFrontEnd::ObjectFrontEnd(const Config& config, const LabelSpace& label_spa
     : config_(config),
       dynamic_labels_(labelsNamed(config.dynamic_classes, label_space)),
       window_(config.window),
+      lidar_(config.lidar, label_space, dynamic_labels_),
       motion_detector_(config.motion),
       extractor_(config.candidates, label_space),
       tracker_(config.tracker) {}
 
-FrameCandidates ObjectFrontEnd::process(const Frame& frame, StageTimes& times) {
+FrameCandidates ObjectFrontEnd::process(const Frame& given, StageTimes& times) {
+  lidar_.integrate(given, window_, times);
+  with_lidar_depth_.reset();
+  if (lidar_.replacesDepth() && given.camera.width > 0) {
+    with_lidar_depth_ = lidar_.withLidarDepth(given, times);
+  }
+  const Frame& frame = objectFrame(given);
+  if (lidar_.enabled() && frame.depth.empty()) return {};
   SensorView view = sensorView(frame, config_.min_range_m, config_.max_range_m);
   {
     const StageTimes::Scope stage(times, "motion");
@@ -38,10 +46,13 @@ FrameCandidates ObjectFrontEnd::process(const Frame& frame, StageTimes& times) {
     const StageTimes::Scope stage(times, "track");
     tracker_.update(view, candidates);
   }
-  const StageTimes::Scope stage(times, "integrate");
-  const Image<std::uint8_t> mask = staticMapMask(frame);
-  view.mask = &mask;
-  window_.integrate(view);
+  if (lidar_.cameraInMap() && !given.depth.empty()) {
+    const StageTimes::Scope stage(times, "integrate");
+    if (with_lidar_depth_) view = sensorView(given, config_.min_range_m, config_.max_range_m);
+    const Image<std::uint8_t> mask = staticMapMask(given);
+    view.mask = &mask;
+    window_.integrate(view);
+  }
   return candidates;
 }
 
@@ -71,6 +82,8 @@ void read(ConfigReader& reader, ObjectFrontEnd::Config& config) {
     reader.fault("max_range_m", "is not above min_range_m; expected a range of distances");
   }
   reader.field("dynamic_classes", config.dynamic_classes);
+  auto lidar = reader.section("lidar");
+  read(lidar, config.lidar);
   auto window = reader.section("window");
   read(window, config.window);
   auto motion = reader.section("motion");

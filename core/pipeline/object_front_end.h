@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/config/config_reader.h"
+#include "core/lidar/lidar_input.h"
 #include "core/mapping/active_window.h"
 #include "core/mapping/motion_detector.h"
 #include "core/objects/candidate_extractor.h"
@@ -27,6 +29,7 @@ class ObjectFrontEnd {
     double max_range_m = 5;
     /// Names of classes that move: kept out of the static map whether they move or not.
     std::vector<std::string> dynamic_classes = {"human"};
+    LidarInput::Config lidar;  ///< of the hybrid mode; off
     ActiveWindow::Config window;
     MotionDetector::Config motion;
     CandidateExtractor::Config candidates;
@@ -34,13 +37,21 @@ class ObjectFrontEnd {
   };
   ObjectFrontEnd(const Config& config, const LabelSpace& label_space);
 
-  /// Stages: motion, candidates, track, integrate. Throws InputError where the frame lacks the
-  /// image that the candidates are taken from.
+  /// Stages: those of LidarInput, motion, candidates, track, integrate. Throws InputError where the
+  /// frame lacks the image that the candidates are taken from; with a lidar, a frame without depth
+  /// has no candidates.
   /// @return  the candidates of the frame, observed by the tracker's tracks
   FrameCandidates process(const Frame& frame, StageTimes& times);
   /// If it is time to, updates the mesh of the window (stage mesh) and returns true: Khronos ends
   /// tracks then.
   bool updateMesh(const Frame& frame, StageTimes& times);
+  /// The last frame as its candidates were found in it: the one given, or one with the depth of the
+  /// lidar, see LidarInput.
+  const Frame& objectFrame(const Frame& frame) const {
+    return with_lidar_depth_ ? *with_lidar_depth_ : frame;
+  }
+  /// Throws InputError where the lidar is on and there was none.
+  void requireScans() const { lidar_.requireScans(); }
 
   MaxIouTracker& tracker() { return tracker_; }
   const MaxIouTracker& tracker() const { return tracker_; }
@@ -54,6 +65,8 @@ class ObjectFrontEnd {
   Config config_;
   std::vector<Label> dynamic_labels_;
   ActiveWindow window_;
+  LidarInput lidar_;
+  std::optional<Frame> with_lidar_depth_;
   MotionDetector motion_detector_;
   CandidateExtractor extractor_;
   MaxIouTracker tracker_;

@@ -20,6 +20,7 @@ struct LabelSpace {
     Rgb color;
     bool is_object = false;  ///< methods build object nodes of this class
     bool is_scored = false;  ///< the class counts in the evaluation; implies is_object
+    bool is_ground = false;  ///< ground of the open air: road, grass, stairs; not an object
   };
   std::vector<Entry> entries;
 
@@ -34,6 +35,14 @@ struct LabelSpace {
       if (entry.name == name) return &entry;
     }
     return nullptr;
+  }
+  /// Names of the classes that are ground, in the order of the entries.
+  std::vector<std::string> groundNames() const {
+    std::vector<std::string> names;
+    for (const Entry& entry : entries) {
+      if (entry.is_ground) names.push_back(entry.name);
+    }
+    return names;
   }
   /// The name, or "label_<id>" where the label is not listed.
   std::string nameOf(Label label) const {

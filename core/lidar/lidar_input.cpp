@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "core/lidar/lidar_input.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/lidar/deskew.h"
+#include "core/lidar/label_transfer.h"
+#include "core/lidar/lidar_view.h"
+#include "core/lidar/scan_check.h"
+#include "core/types/error.h"
+
+namespace hydrabench {
+namespace {
+
+/// Rotated, not moved, so that z is up: what ground segmenters ask for.
+std::vector<Eigen::Vector3f> levelled(const std::vector<Eigen::Vector3f>& points,
+                                      const Transform& T_world_points) {
+  const Eigen::Matrix3f R =
+      Eigen::Quaterniond::FromTwoVectors(
+          T_world_points.linear().transpose() * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ())
+          .toRotationMatrix()
+          .cast<float>();
+  std::vector<Eigen::Vector3f> level(points.size());
+  std::transform(points.begin(), points.end(), level.begin(),
+                 [&](const Eigen::Vector3f& p) -> Eigen::Vector3f { return R * p; });
+  return level;
+}
+
+}  // namespace
+
+LidarInput::Config::Config() {
+  ground.patchwork = Patchwork::Config::forSensor("vlp16");
+  integrator.max_range_difference_m = 0.75;
+  integrator.constant_weight = true;
+  integrator.ground_band.extra_m = 3;
+}
+
+LidarInput::LidarInput(const Config& config, const LabelSpace& label_space,
+                       std::vector<Label> moving)
+    : config_(config),
+      moving_(std::move(moving)),
+      ground_(config.enabled ? makeGroundSegmenter(config.ground, label_space) : nullptr),
+      integrator_(config.integrator),
+      depth_(config.depth) {}
+
+void LidarInput::integrate(const Frame& frame, ActiveWindow& window, StageTimes& times) {
+  if (!config_.enabled) return;
+  for (const LidarScan& scan : frame.scans) {
+    requireUsable(scan);
+    std::vector<Eigen::Vector3f> points;
+    std::vector<Label> labels;
+    {
+      const StageTimes::Scope stage(times, "label_transfer");
+      points = config_.deskew ? deskewed(scan) : scan.points;
+      labels = !scan.labels.empty()
+                   ? scan.labels
+                   : labelsFromImage(frame, points, scan.T_world_lidar, config_.label_transfer);
+    }
+    GroundMask ground;
+    {
+      const StageTimes::Scope stage(times, "ground");
+      const std::vector<Eigen::Vector3f> level = levelled(points, scan.T_world_lidar);
+      ground = ground_->segment({.stamp_ns = scan.stamp_ns,
+                                 .points = level,
+                                 .intensity = scan.intensity,
+                                 .lines = scan.rings,
+                                 .labels = labels,
+                                 .sensor_height_m = config_.sensor_height_m});
+    }
+    {
+      const StageTimes::Scope stage(times, "lidar_integrate");
+      std::vector<std::uint8_t> moving(labels.size());
+      std::transform(labels.begin(), labels.end(), moving.begin(), [&](Label label) {
+        return std::find(moving_.begin(), moving_.end(), label) != moving_.end();
+      });
+      const LidarView view(
+          scan, {.points = points, .labels = labels, .ground = ground.classes, .moving = moving},
+          config_.min_range_m, config_.max_range_m);
+      window.integrate(view.view(), integrator_);
+    }
+    if (replacesDepth()) depth_.add(std::move(points), scan.T_world_lidar);
+    ++num_scans_;
+  }
+}
+
+Frame LidarInput::withLidarDepth(const Frame& frame, StageTimes& times) const {
+  const StageTimes::Scope stage(times, "lidar_depth");
+  Frame with = frame;
+  with.scans.clear();
+  with.depth = depth_.depth(frame);
+  if (config_.object_depth == "filled" && !frame.depth.empty()) {
+    std::transform(frame.depth.begin(), frame.depth.end(), with.depth.begin(), with.depth.begin(),
+                   [](float camera, float lidar) { return camera > 0.0f ? camera : lidar; });
+  }
+  return with;
+}
+
+void LidarInput::requireScans() const {
+  if (!config_.enabled || num_scans_ > 0) return;
+  throw InputError(
+      "lidar.enabled is true, but no frame came with a lidar scan; expected a dataset with a lidar "
+      "whose stamps overlap those of the camera, or lidar.enabled: false");
+}
+
+void read(ConfigReader& reader, LidarInput::Config& config) {
+  reader.field("enabled", config.enabled);
+  reader.field("min_range_m", config.min_range_m, Bounds{0, 1000});
+  reader.field("max_range_m", config.max_range_m, Bounds{0.01, 1000});
+  if (!(config.min_range_m < config.max_range_m)) {
+    reader.fault("max_range_m", "is not above min_range_m; expected a range of distances");
+  }
+  reader.field("sensor_height_m", config.sensor_height_m, Bounds{0.01, 100});
+  reader.field("deskew", config.deskew);
+  reader.field("camera_in_map", config.camera_in_map);
+  reader.choice("object_depth", config.object_depth, {"camera", "lidar", "filled"});
+  auto ground = reader.section("ground");
+  read(ground, config.ground);
+  auto label_transfer = reader.section("label_transfer");
+  read(label_transfer, config.label_transfer);
+  auto depth = reader.section("depth");
+  read(depth, config.depth);
+  auto integrator = reader.section("integrator");
+  read(integrator, config.integrator);
+}
+
+}  // namespace hydrabench

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/mapping/tsdf_integrator.h"
+
+namespace hydrabench {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A lidar at the origin that sees a wall of ranges 6 m all around, and beyond it at one place, so
+/// that ranges up to 20 m count.
+struct RoundWall {
+  RoundWall() : ground(361, 16, 1) {
+    view.lidar = LidarModel{
+        .columns = 360, .rows = 16, .top_rad = 15 * kDegree, .bottom_rad = -15 * kDegree};
+    view.range = Image<float>(361, 16, 6);
+    view.range(20, 0) = 20;
+    view.min_range_m = 0.4;
+    view.max_range_m = 40;
+    view.ground = &ground;
+    summarizeRange(view);
+  }
+  RoundWall(const RoundWall&) = delete;
+  SensorView view;
+  Image<std::uint8_t> ground;
+};
+
+constexpr double kVoxel = 0.2;
+constexpr double kTruncation = 0.4;
+
+TsdfVolume fused(const SensorView& view, double extra_m, double weight = 1e-3) {
+  TsdfVolume::Config grid;
+  grid.voxel_size_m = kVoxel;
+  grid.truncation_m = kTruncation;
+  TsdfVolume volume(grid);
+  TsdfIntegrator::Config config;
+  config.constant_weight = true;
+  config.ground_band = {.extra_m = extra_m, .weight = weight};
+  TsdfIntegrator(config).integrate(view, volume);
+  return volume;
+}
+
+/// The voxel of the row y = z = 0.1 m whose centre is at x.
+const TsdfVoxel& at(const TsdfVolume& volume, double x) {
+  static const TsdfVoxel kNever;
+  const TsdfVoxel* voxel = volume.voxel({static_cast<int>(std::floor(x / kVoxel)), 0, 0});
+  return voxel ? *voxel : kNever;
+}
+
+TEST(GroundBand, WritesTheLowerEndOfTheBandBehindGroundWithItsOwnWeight) {
+  const RoundWall wall;
+  const TsdfVolume volume = fused(wall.view, 3);
+  for (const double x : {6.5, 7.1, 8.1, 9.3}) {  // up to 6 + 0.4 + 3 m
+    EXPECT_FLOAT_EQ(at(volume, x).distance, -0.4f) << x;
+    EXPECT_FLOAT_EQ(at(volume, x).weight, 1e-3f) << x;
+  }
+  EXPECT_EQ(at(volume, 9.5).weight, 0);
+}
+
+TEST(GroundBand, ChangesNothingInFrontNorWithinTheTruncationDistance) {
+  const RoundWall wall;
+  const TsdfVolume with = fused(wall.view, 3);
+  const TsdfVolume without = fused(wall.view, 0);
+  for (double x = 0.5; x < 6.4; x += kVoxel) {
+    EXPECT_EQ(at(with, x).distance, at(without, x).distance) << x;
+    EXPECT_EQ(at(with, x).weight, at(without, x).weight) << x;
+    EXPECT_GT(at(with, x).weight, 0) << x;
+  }
+  EXPECT_EQ(at(without, 6.5).weight, 0);
+}
+
+TEST(GroundBand, LeavesEverythingElseAloneThatIsNotGround) {
+  RoundWall wall;
+  wall.ground.fill(0);
+  const TsdfVolume with = fused(wall.view, 3);
+  const TsdfVolume without = fused(wall.view, 0);
+  EXPECT_EQ(with.blockIndices(), without.blockIndices());
+  EXPECT_EQ(at(with, 7.1).weight, 0);
+  EXPECT_GT(at(with, 5.9).weight, 0);
+  wall.view.ground = nullptr;
+  EXPECT_EQ(fused(wall.view, 3).blockIndices(), without.blockIndices());
+}
+
+TEST(GroundBand, WritesNothingBehindMovingGround) {
+  RoundWall wall;
+  const Image<std::uint8_t> moving(361, 16, 1);
+  wall.view.mask = &moving;
+  EXPECT_EQ(at(fused(wall.view, 3), 7.1).weight, 0);
+}
+
+TEST(GroundBand, IsOutweighedByWhatIsTrulySeen) {
+  RoundWall wall;
+  TsdfVolume volume = fused(wall.view, 3);
+  RoundWall farther;  // sees free space where the band was
+  farther.view.range = Image<float>(361, 16, 15);
+  summarizeRange(farther.view);
+  TsdfIntegrator::Config config;
+  config.constant_weight = true;
+  TsdfIntegrator(config).integrate(farther.view, volume);
+  // 57.3 * 28.6 rays in a square of 0.2 m at 8 m: about 1 against 0.001.
+  EXPECT_GT(at(volume, 8.1).distance, 0.39);
+}
+
+TEST(GroundBand, IsTheSameWhetherDecidedEarlyOrVoxelByVoxel) {
+  RoundWall wall;
+  for (int u = 0; u < 361; ++u) wall.ground(u, 9) = 0;
+  wall.view.range(100, 7) = 0;
+  summarizeRange(wall.view);
+  const TsdfVolume early = fused(wall.view, 3);
+  wall.view.tiles = {};
+  const TsdfVolume plain = fused(wall.view, 3);
+  ASSERT_EQ(early.blockIndices(), plain.blockIndices());
+  std::size_t measured = 0;
+  for (const BlockIndex& index : early.blockIndices()) {
+    const VoxelBlock& a = *early.find(index);
+    const VoxelBlock& b = *plain.find(index);
+    for (std::size_t i = 0; i < a.voxels.size(); ++i) {
+      ASSERT_EQ(a.voxels[i].distance, b.voxels[i].distance);
+      ASSERT_EQ(a.voxels[i].weight, b.voxels[i].weight);
+      measured += a.voxels[i].weight > 0;
+    }
+  }
+  EXPECT_GT(measured, 10000u);
+}
+
+TEST(LidarIntegration, WeighsByRaysThatMeetTheVoxel) {
+  const RoundWall wall;
+  const TsdfVolume volume = fused(wall.view, 0);
+  const double range = std::sqrt(5.1 * 5.1 + 2 * 0.1 * 0.1);
+  const double rays = (360 / (2 * std::numbers::pi)) * (15 / (30 * kDegree));
+  EXPECT_NEAR(at(volume, 5.1).weight, rays * kVoxel * kVoxel / (range * range), 1e-4);
+  EXPECT_NEAR(at(volume, 5.9).distance, 6 - std::sqrt(5.9 * 5.9 + 0.02), 1e-5);
+}
+
+TEST(LidarIntegration, GoesAcrossTheSeamAtTheBack) {
+  const RoundWall wall;
+  const TsdfVolume volume = fused(wall.view, 0);
+  for (const int y : {-1, 0}) {
+    const TsdfVoxel* behind = volume.voxel({-30, y, 0});  // x = -5.9
+    ASSERT_NE(behind, nullptr);
+    EXPECT_NEAR(behind->distance, 6 - std::sqrt(5.9 * 5.9 + 0.02), 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace hydrabench
