@@ -305,11 +305,15 @@ class Judge {
 
   static Finding scene(const Predicate& predicate, const Evidence& evidence,
                        const std::string& other) {
-    // Scores of the whole scene have one row per method.
+    // Scores of the whole scene have one row per method and world, and one for all worlds.
     const auto rows_of = [&](const std::string& method) {
       std::vector<const ScoreRow*> rows;
       for (const ScoreRow& row : evidence.scores) {
         if (row.method == method && row.metric == predicate.metric) rows.push_back(&row);
+      }
+      const auto pooled = [](const ScoreRow* row) { return row->seed == kPooledSeed; };
+      if (std::any_of(rows.begin(), rows.end(), pooled)) {
+        std::erase_if(rows, [&](const ScoreRow* row) { return !pooled(row); });
       }
       return rows;
     };

@@ -43,8 +43,9 @@ struct StampedPose {
 
 struct GroundTruth {
   std::vector<GroundTruthObject> objects;
-  Mesh scene_mesh;          ///< world frame: everything, objects included; exact in float
-  std::vector<Room> rooms;  ///< empty where unknown
+  Mesh scene_mesh;                  ///< world frame: everything, objects included; exact in float
+  std::vector<Label> scene_labels;  ///< per face of scene_mesh; empty where unknown
+  std::vector<Room> rooms;          ///< empty where unknown
   std::vector<StampedPose> trajectory;  ///< without odometry drift
 };
 

@@ -32,6 +32,8 @@ void read(ConfigReader& reader, EvaluationConfig& config) {
   reader.field("bootstrap_resamples", config.bootstrap_resamples, {0, 1'000'000});
   reader.field("seed", config.seed);
   reader.field("min_visible_fraction", config.min_visible_fraction, {0, 1});
+  auto scene = reader.section("scene");
+  read(scene, config.scene);
   if (config.thresholds_m.empty())
     reader.fault("thresholds_m", "empty, expected at least one threshold");
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/config/config_reader.h"
+#include "eval/evaluation/scene_config.h"
 #include "metrics/bootstrap.h"
 #include "metrics/object_model.h"
 
@@ -26,6 +27,7 @@ struct EvaluationConfig {
   /// Ground truth of which less than this share was ever in view is neither found nor missed; an
   /// estimate that is nearest to such an object, within its half diagonal, is not counted either.
   double min_visible_fraction = 0;
+  SceneScoringConfig scene = {};
 
   ObjectModel::Config modelConfig() const;
   BootstrapConfig bootstrapConfig() const;

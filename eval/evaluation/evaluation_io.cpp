@@ -88,6 +88,37 @@ Json toJson(const MatchedPair& pair, const PairScores& scores) {
   return json;
 }
 
+Json toJson(const SceneTally& tally) {
+  return {{"ground_m2", tally.ground_m2},
+          {"covered_ground_m2", tally.covered_ground_m2},
+          {"truth_points", tally.truth_points},
+          {"truth_distance_m", tally.truth_distance_m},
+          {"truth_within", tally.truth_within},
+          {"estimate_points", tally.estimate_points},
+          {"estimate_distance_m", tally.estimate_distance_m},
+          {"estimate_within", tally.estimate_within},
+          {"ground_points", tally.ground_points},
+          {"ground_square_error_m2", tally.ground_square_error_m2},
+          {"boundary_m", tally.boundary_m},
+          {"filled_m3", tally.filled_m3}};
+}
+SceneTally tallyFrom(const Json& json) {
+  SceneTally tally;
+  json.at("ground_m2").get_to(tally.ground_m2);
+  json.at("covered_ground_m2").get_to(tally.covered_ground_m2);
+  json.at("truth_points").get_to(tally.truth_points);
+  json.at("truth_distance_m").get_to(tally.truth_distance_m);
+  json.at("truth_within").get_to(tally.truth_within);
+  json.at("estimate_points").get_to(tally.estimate_points);
+  json.at("estimate_distance_m").get_to(tally.estimate_distance_m);
+  json.at("estimate_within").get_to(tally.estimate_within);
+  json.at("ground_points").get_to(tally.ground_points);
+  json.at("ground_square_error_m2").get_to(tally.ground_square_error_m2);
+  json.at("boundary_m").get_to(tally.boundary_m);
+  json.at("filled_m3").get_to(tally.filled_m3);
+  return tally;
+}
+
 template <typename Item>
 Json listOf(const std::vector<Item>& items) {
   Json list = Json::array();
@@ -117,6 +148,7 @@ MethodEvaluation evaluationFrom(const Json& json) {
         MatchedPair{pair.at("estimate").get<std::size_t>(), pair.at("truth").get<std::size_t>()},
         scores);
   }
+  for (const Json& tally : json.at("scene")) evaluation.scene.push_back(tallyFrom(tally));
   json.at("notes").get_to(evaluation.notes);
   json.at("unscored_estimates").get_to(evaluation.unscored_estimates);
   json.at("estimates_without_mesh").get_to(evaluation.estimates_without_mesh);
@@ -136,6 +168,7 @@ std::string evaluationJson(const MethodEvaluation& evaluation) {
                      {"truths", listOf(evaluation.truths)},
                      {"ignored", listOf(evaluation.ignored)},
                      {"pairs", pairs},
+                     {"scene", listOf(evaluation.scene)},
                      {"notes", evaluation.notes},
                      {"unscored_estimates", evaluation.unscored_estimates},
                      {"estimates_without_mesh", evaluation.estimates_without_mesh}};

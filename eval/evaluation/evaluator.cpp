@@ -127,6 +127,7 @@ Evaluator::Evaluator(std::string dataset_name, std::string seed, const LabelSpac
     }
   }
   counting_.truths = detections(truths_);
+  if (config_.scene.enabled) scene_.emplace(truth, label_space, config_.scene);
   if (truths_.empty()) {
     throw InputError(fmt::format(
         "dataset '{}': ground truth: no object that counts (of {}), expected at least one",
@@ -184,6 +185,7 @@ MethodEvaluation Evaluator::evaluate(const Prediction& prediction, OtherUnits ot
   if (other_units == OtherUnits::kRefused) {
     requireSameUnits(prediction.method, evaluation.estimates, evaluation.truths);
   }
+  if (scene_) evaluation.scene = scene_->evaluate(prediction.graph);
   const std::vector<DetectionObject> estimates = detections(evaluation.estimates);
 
   const std::vector<ThresholdMatches> matches =

@@ -14,10 +14,12 @@
 #include "eval/datasets/dataset.h"
 #include "eval/evaluation/counting.h"
 #include "eval/evaluation/evaluation_config.h"
+#include "eval/evaluation/scene_evaluator.h"
 #include "eval/evaluation/score_row.h"
 #include "metrics/kappa_sweep.h"
 #include "metrics/matching.h"
 #include "metrics/pair_scores.h"
+#include "metrics/scene_tally.h"
 
 namespace hydrabench {
 
@@ -70,6 +72,8 @@ struct MethodEvaluation {
   std::vector<ScoreRow> scores;
   std::vector<ObjectRow> objects;
   std::vector<KappaCurve> kappa_curves;
+  /// Of the map as a whole, per square of the ground plan; empty unless it is scored.
+  std::vector<SceneTally> scene;
   std::size_t unscored_estimates =
       0;  ///< of classes that do not count, or nearest to ignored ground truth
   std::vector<std::string> notes;          ///< what a reader of the table must know of the method
@@ -108,6 +112,7 @@ class Evaluator {
   std::vector<ScoredObject> truths_;
   std::vector<std::shared_ptr<const ObjectModel>> truth_models_;
   Counting counting_;
+  std::optional<SceneEvaluator> scene_;
 };
 
 }  // namespace hydrabench

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <utility>
 
+#include "eval/evaluation/scene_rows.h"
+
 namespace hydrabench {
 namespace {
 
@@ -72,6 +74,9 @@ void fillScores(const EvaluationConfig& config, const std::vector<ThresholdMatch
   for (const ScoreRow& row : kappaAreaRows(context, evaluation.kappa_curves)) {
     evaluation.scores.push_back(row);
   }
+  for (const ScoreRow& row : sceneRows(context, evaluation.scene)) {
+    evaluation.scores.push_back(row);
+  }
   for (const ThresholdMatches& at : matches) {
     if (at.with_geometry) {
       appendObjectRows(at.matches, at.threshold, evaluation.pair_scores, estimates, truths,
@@ -112,6 +117,7 @@ MethodEvaluation merged(std::span<const MethodEvaluation* const> worlds) {
       all.pair_scores.emplace(MatchedPair{first_estimate + pair.estimate, first_truth + pair.truth},
                               scores);
     }
+    all.scene.insert(all.scene.end(), world.scene.begin(), world.scene.end());
     all.unscored_estimates += world.unscored_estimates;
     for (DetectionObject object : world.ignored) {
       object.world = static_cast<std::uint32_t>(w);

@@ -39,13 +39,18 @@ Aabb bounds(const Scene& scene) {
   return box;
 }
 
-Mesh mergedMesh(const Scene& scene, bool with_overhead) {
+Mesh mergedMesh(const Scene& scene, bool with_overhead, std::vector<Label>* labels) {
   Mesh whole;
+  const auto add = [&](const Mesh& part, Label label) {
+    append(part, whole);
+    if (labels) labels->resize(whole.faces.size(), label);
+  };
+  if (labels) labels->clear();
   for (const StructurePart& part : scene.structure) {
-    if (with_overhead || !part.overhead) append(coloured(part.surface), whole);
+    if (with_overhead || !part.overhead) add(coloured(part.surface), part.label);
   }
   for (const SceneObject& object : scene.objects) {
-    append(transformed(object.T_world_object, coloured(*object.surface)), whole);
+    add(transformed(object.T_world_object, coloured(*object.surface)), object.label);
   }
   return whole;
 }

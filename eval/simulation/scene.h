@@ -63,7 +63,9 @@ Aabb worldBounds(const SceneObject& object);
 Aabb bounds(const Scene& scene);
 
 /// Everything in one mesh, world frame, vertices coloured by material.
-Mesh mergedMesh(const Scene& scene, bool with_overhead = true);
+/// @param labels  receives the class of every face; may be null
+Mesh mergedMesh(const Scene& scene, bool with_overhead = true,
+                std::vector<Label>* labels = nullptr);
 
 /// Cuboid faces to add to a surface; internal faces can be left out so that touching boxes form one
 /// skin.

@@ -111,7 +111,8 @@ const GroundTruth& SimulatedDataset::groundTruth() const {
       truth.scored = object.scored;
       ground_truth_.objects.push_back(std::move(truth));
     }
-    ground_truth_.scene_mesh = mergedMesh(*scene_);
+    ground_truth_.scene_mesh =
+        mergedMesh(*scene_, /*with_overhead=*/true, &ground_truth_.scene_labels);
     roundToFloat(ground_truth_.scene_mesh);  // what a file of it would hold
     ground_truth_.rooms = scene_->rooms;
     ground_truth_.trajectory = trajectory_;
