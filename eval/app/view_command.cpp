@@ -21,6 +21,7 @@
 #include "eval/view/error_picture.h"
 #include "eval/view/frame_picture.h"
 #include "eval/view/rejection_picture.h"
+#include "eval/view/scan_picture.h"
 #include "eval/view/world_picture.h"
 
 namespace hydrabench {
@@ -69,7 +70,11 @@ void viewDataset(const Options& options) {
     // Evenly spread, away from both ends of the drive.
     const std::size_t index = (2 * i + 1) * dataset.numFrames() / (2 * count);
     const Frame frame = dataset.frame(index);
-    save(options.out / fmt::format("frame_{:06}.png", index), framePicture(frame));
+    const Image<Rgb> images = framePicture(frame);
+    if (!images.empty()) save(options.out / fmt::format("frame_{:06}.png", index), images);
+    if (!frame.scans.empty()) {
+      save(options.out / fmt::format("scan_{:06}.png", index), scanPicture(frame.scans.back()));
+    }
     if (simulated) {
       save(options.out / fmt::format("masks_{:06}.png", index),
            maskPicture(*simulated, index, frame));

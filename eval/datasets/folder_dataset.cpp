@@ -58,15 +58,14 @@ std::vector<std::map<InstanceId, Label>> readInstanceLabels(const fs::path& path
 
 }  // namespace
 
-FolderDataset::FolderDataset(Config config) : config_(std::move(config)) {
-  const fs::path poses = config_.folder / layout::kPoses;
-  poses_ = readPoses(poses);
-  if (poses_.empty()) {
-    throw InputError(fmt::format("{}: no poses, expected one a frame", poses.string()));
-  }
-  instance_labels_.resize(poses_.size());
-  if (has(layout::kInstances)) {
-    instance_labels_ = readInstanceLabels(config_.folder / layout::kInstanceLabels, poses_.size());
+FolderDataset::FolderDataset(Config config)
+    : config_(std::move(config)),
+      camera_(config_.camera.value_or(Camera{})),
+      poses_(readFolderPoses(config_.folder, config_.camera.has_value(), config_.lidar.has_value(),
+                             config_.extrinsics)) {
+  instance_labels_.resize(numFrames());
+  if (config_.camera && has(layout::kInstances)) {
+    instance_labels_ = readInstanceLabels(config_.folder / layout::kInstanceLabels, numFrames());
   }
   if (has(layout::kGroundTruth)) {
     ground_truth_ = readGroundTruth(config_.folder / layout::kGroundTruth);
@@ -75,31 +74,47 @@ FolderDataset::FolderDataset(Config config) : config_(std::move(config)) {
 
 Frame FolderDataset::frame(std::size_t index) const {
   Frame frame;
-  frame.stamp_ns = poses_.at(index).stamp_ns;
-  frame.T_world_camera = poses_[index].T_world_camera;
-  frame.camera = config_.camera;
+  frame.stamp_ns = poses_.frames.at(index).stamp_ns;
+  frame.T_world_camera = poses_.frames[index].T_world_camera;
+  frame.camera = camera_;
+  if (config_.camera) readImages(index, frame);
+  for (std::size_t i = poses_.first_scan[index]; i < poses_.first_scan[index + 1]; ++i) {
+    frame.scans.push_back(scan(poses_.scans[i]));
+  }
+  return frame;
+}
+
+void FolderDataset::readImages(std::size_t index, Frame& frame) const {
   if (has(layout::kColor)) {
     const fs::path jpeg = config_.folder / layout::image(layout::kColor, index, ".jpg");
     const fs::path png = config_.folder / layout::image(layout::kColor, index, ".png");
-    frame.color = readCameraColor(fs::exists(jpeg) ? jpeg : png, config_.camera);
+    frame.color = readCameraColor(fs::exists(jpeg) ? jpeg : png, camera_);
   }
   if (has(layout::kDepth)) readDepth(index, frame);
   if (has(layout::kLabels)) {
     const fs::path path = config_.folder / layout::image(layout::kLabels, index, ".png");
-    frame.labels = widened(readCameraGray(path, config_.camera));
+    frame.labels = widened(readCameraGray(path, camera_));
   }
   if (has(layout::kInstances)) readInstances(index, frame);
-  return frame;
+}
+
+LidarScan FolderDataset::scan(const FolderScan& folder_scan) const {
+  LidarScan scan = readScan(config_.folder / layout::scan(folder_scan.file), *config_.lidar);
+  scan.start_ns = folder_scan.pose.start_ns;
+  scan.stamp_ns = folder_scan.pose.stamp_ns;
+  scan.T_world_lidar_start = folder_scan.pose.T_world_lidar_start;
+  scan.T_world_lidar = folder_scan.pose.T_world_lidar;
+  return scan;
 }
 
 void FolderDataset::readDepth(std::size_t index, Frame& frame) const {
   fs::path path = config_.folder / layout::image(layout::kDepth, index, ".pfm");
   if (fs::exists(path)) {
     frame.depth = readDepthPfm(path);
-    requireSize(frame.depth, config_.camera, path);
+    requireSize(frame.depth, camera_, path);
   } else {
     path.replace_extension(".png");
-    frame.depth = depthFromQuanta(readCameraGray(path, config_.camera), config_.depth_quantum_m);
+    frame.depth = depthFromQuanta(readCameraGray(path, camera_), config_.depth_quantum_m);
   }
   if (config_.require_depth && !hasDepth(frame.depth)) {
     throw InputError(
@@ -111,7 +126,7 @@ void FolderDataset::readDepth(std::size_t index, Frame& frame) const {
 
 void FolderDataset::readInstances(std::size_t index, Frame& frame) const {
   const fs::path path = config_.folder / layout::image(layout::kInstances, index, ".png");
-  frame.instances = widened(readCameraGray(path, config_.camera));
+  frame.instances = widened(readCameraGray(path, camera_));
   frame.instance_labels = instance_labels_[index];
   requireLabels(frame, path, layout::kInstanceLabels);
 }
@@ -125,7 +140,16 @@ DatasetConfig readFolder(ConfigReader& reader, const fs::path& config_path) {
   reader.field("name", config.name);
   reader.field("seed", config.seed);
   reader.path("folder", config.folder);
-  readCamera(reader, config.camera);
+  if (reader.has("lidar")) {
+    config.lidar = readLidarDescription(reader);
+  } else if (fs::is_directory(config.folder / layout::kLidar)) {
+    reader.fault("lidar", fmt::format("missing, expected rows, columns, top_deg and bottom_deg of "
+                                      "the sensor: there is a folder {}",
+                                      (config.folder / layout::kLidar).string()));
+  }
+  config.extrinsics = readExtrinsics(reader);
+  // Without a camera, sweeps are frames; with neither, the camera is what is missing.
+  if (reader.has("camera") || !config.lidar) readCamera(reader, config.camera.emplace());
   reader.field("depth_quantum_m", config.depth_quantum_m, {1e-9, 1});
   reader.field("require_depth", config.require_depth);
   readLabelSpace(reader, config.label_space);

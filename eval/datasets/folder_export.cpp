@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "eval/datasets/folder_layout.h"
 #include "eval/datasets/ground_truth_io.h"
 #include "eval/datasets/pose_file.h"
+#include "eval/datasets/scan_export.h"
 
 namespace hydrabench {
 namespace fs = std::filesystem;
@@ -44,6 +46,15 @@ Image<std::uint16_t> narrowed(const Image<std::int32_t>& image, std::size_t fram
     result.data()[i] = static_cast<std::uint16_t>(value);
   }
   return result;
+}
+
+/// Without a camera, sweeps are frames; the layout has no other frames then.
+void requireOneScan(const Frame& frame, std::size_t index) {
+  if (frame.scans.size() == 1 && frame.scans[0].stamp_ns == frame.stamp_ns) return;
+  throw InputError(fmt::format(
+      "frame {}: {} sweeps; without a camera, the export holds frames of one sweep each that ends "
+      "with the frame",
+      index, frame.scans.size()));
 }
 
 /// The quantum of the sensor, so that depth fits into 16-bit images; 0 where no candidate
@@ -98,10 +109,14 @@ void writeRecords(const fs::path& folder, const std::vector<FrameRecord>& record
   writeFileAtomic(folder / layout::kInstanceLabels, labels);
 }
 
-std::string description(const Dataset& dataset, double quantum_m, bool require_depth) {
+bool hasCamera(const Dataset& dataset) { return dataset.camera().width > 0; }
+
+std::string description(const Dataset& dataset, double quantum_m, bool require_depth,
+                        const std::optional<LidarDescription>& lidar) {
   return fmt::format(
-      "type: folder\nname: {}\nseed: {}\n{}depth_quantum_m: {}\nrequire_depth: {}\n{}",
-      yamlText(dataset.name()), dataset.seed(), cameraYaml(dataset.camera()),
+      "type: folder\nname: {}\nseed: {}\n{}{}depth_quantum_m: {}\nrequire_depth: {}\n{}",
+      yamlText(dataset.name()), dataset.seed(),
+      hasCamera(dataset) ? cameraYaml(dataset.camera()) : "", lidar ? lidarYaml(*lidar) : "",
       quantum_m > 0 ? quantum_m : 0.001, require_depth, labelSpaceYaml(dataset.labelSpace()));
 }
 
@@ -119,13 +134,18 @@ void exportDataset(const Dataset& dataset, const fs::path& path, const ExportOpt
   const double quantum_m = findQuantum(dataset.frame(0).depth);
   std::vector<FrameRecord> records(num_frames);
   std::mutex advancing;
+  ScanExport scans(folder, num_frames);
   parallelFor(num_frames, [&](std::size_t i) {
-    records[i] = writeFrame(folder, i, quantum_m, dataset.frame(i));
+    const Frame frame = dataset.frame(i);
+    if (!hasCamera(dataset)) requireOneScan(frame, i);
+    records[i] = writeFrame(folder, i, quantum_m, frame);
+    scans.write(i, frame);
     if (!advance) return;
     const std::lock_guard lock(advancing);
     advance();
   });
-  writeRecords(folder, records);
+  if (hasCamera(dataset)) writeRecords(folder, records);
+  const std::optional<LidarDescription> lidar = scans.finish();
   if (dataset.hasGroundTruth()) {
     GroundTruth ground_truth = dataset.groundTruth();
     if (ground_truth.trajectory.size() > num_frames) ground_truth.trajectory.resize(num_frames);
@@ -133,7 +153,8 @@ void exportDataset(const Dataset& dataset, const fs::path& path, const ExportOpt
   }
   const bool all_have_depth =
       std::all_of(records.begin(), records.end(), [](const FrameRecord& r) { return r.has_depth; });
-  writeFileAtomic(folder / layout::kDescription, description(dataset, quantum_m, all_have_depth));
+  writeFileAtomic(folder / layout::kDescription,
+                  description(dataset, quantum_m, all_have_depth, lidar));
   result.commit();
 }
 

@@ -21,10 +21,20 @@ inline constexpr const char* kColor = "color";
 inline constexpr const char* kDepth = "depth";
 inline constexpr const char* kLabels = "labels";
 inline constexpr const char* kInstances = "instances";
+inline constexpr const char* kLidar = "lidar";
+inline constexpr const char* kLidarPoses = "lidar_poses.txt";
+inline constexpr const char* kOdometry = "odometry.txt";
+inline constexpr const char* kCameraStamps = "camera_stamps.txt";
+inline constexpr const char* kLidarStamps = "lidar_stamps.txt";
+inline constexpr const char* kBodyCamera = "T_body_camera";
+inline constexpr const char* kBodyLidar = "T_body_lidar";
 
 /// "color/000042.png"
 inline std::filesystem::path image(const char* kind, std::size_t frame, const char* extension) {
   return std::filesystem::path(kind) / fmt::format("{:06d}{}", frame, extension);
 }
+
+/// "lidar/000042", to which the extensions of a scan's files are added
+inline std::filesystem::path scan(std::size_t number) { return image(kLidar, number, ""); }
 
 }  // namespace hydrabench::folder_layout

@@ -10,6 +10,7 @@
 #include "eval/datasets/apc_dataset.h"
 #include "eval/datasets/folder_dataset.h"
 #include "eval/datasets/folder_layout.h"
+#include "eval/datasets/kitti_raw_dataset.h"
 #include "eval/datasets/mesh_gallery.h"
 #include "eval/datasets/rendered_datasets.h"
 #include "eval/datasets/seven_scenes_dataset.h"
@@ -28,6 +29,7 @@ constexpr DatasetType kTypes[] = {
     {"simulated", readSimulated},        {"folder", readFolder},
     {"placed_meshes", readPlacedMeshes}, {"mesh_gallery", readMeshGallery},
     {"seven_scenes", readSevenScenes},   {"apc2016", readApc},
+    {"kitti_raw", readKittiRaw},
 };
 
 /// @param config  the file it is from; empty: none

@@ -14,8 +14,8 @@
 namespace hydrabench {
 
 /// Reads a YAML file (configs/datasets/*.yaml), or the folder with one; its `type` picks the reader
-/// from one table: simulated, folder, placed_meshes, mesh_gallery, seven_scenes, apc2016.
-/// `overrides` are key=value. Throws InputError.
+/// from one table: simulated, folder, placed_meshes, mesh_gallery, seven_scenes, apc2016,
+/// kitti_raw. `overrides` are key=value. Throws InputError.
 DatasetConfig readDataset(const std::filesystem::path& config,
                           const std::vector<std::string>& overrides = {});
 /// The same from a document in memory, such as a resolved config.

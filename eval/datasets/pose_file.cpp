@@ -61,6 +61,68 @@ Eigen::Matrix4d matrixFromQuaternion(const double (&v)[7], const std::string& pl
   return matrix;
 }
 
+/// Calls line(columns, "file:line") for every line that is not empty or a comment.
+template <typename Line>
+void forEachLine(const std::filesystem::path& path, const Line& line) {
+  const std::string text = readFile(path);
+  std::string_view rest = text;
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view content = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::vector<std::string_view> columns = words(content.substr(0, content.find('#')));
+    if (!columns.empty()) line(columns, fmt::format("{}:{}", path.string(), number));
+  }
+}
+
+/// The upper 3 x 4 of a matrix in the twelve columns from `first` on.
+Transform parsePose(const std::vector<std::string_view>& columns, std::size_t first,
+                    const std::string& place) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  for (std::size_t i = 0; i < 12; ++i) {
+    matrix(static_cast<int>(i / 4), static_cast<int>(i % 4)) =
+        parse<double>(columns[first + i], place, "a number");
+  }
+  return checkedPose(matrix, place);
+}
+
+std::int64_t parseNanoseconds(std::string_view word, const std::string& place) {
+  return parse<std::int64_t>(word, place, "a stamp in whole nanoseconds");
+}
+
+/// A line of 13 columns or of the 8 of TUM.
+StampedPose parseStampedPose(const std::vector<std::string_view>& columns,
+                             const std::string& place) {
+  if (columns.size() == 13) {
+    return {parseNanoseconds(columns[0], place), parsePose(columns, 1, place)};
+  }
+  const std::int64_t stamp_ns = parseSeconds(columns[0], place);
+  double values[7];
+  for (std::size_t i = 0; i < 7; ++i) {
+    values[i] = parse<double>(columns[i + 1], place, "a number");
+  }
+  return {stamp_ns, checkedPose(matrixFromQuaternion(values, place), place)};
+}
+
+void requireAscending(std::int64_t before_ns, std::int64_t stamp_ns, const std::string& place) {
+  if (stamp_ns > before_ns) return;
+  throw InputError(fmt::format("{}: stamp {} ns does not come after the one before, {} ns", place,
+                               stamp_ns, before_ns));
+}
+
+void requireForward(std::int64_t start_ns, std::int64_t stamp_ns, const std::string& place) {
+  if (start_ns <= stamp_ns) return;
+  throw InputError(
+      fmt::format("{}: a sweep that ends at {} ns, before its start at {} ns; expected start, end",
+                  place, stamp_ns, start_ns));
+}
+
+std::string matrixText(const Transform& pose) {
+  std::string text;
+  for (int i = 0; i < 12; ++i) text += fmt::format(" {}", pose(i / 4, i % 4));
+  return text;
+}
+
 }  // namespace
 
 Transform checkedPose(const Eigen::Matrix4d& matrix, const std::string& place) {
@@ -74,55 +136,92 @@ Transform checkedPose(const Eigen::Matrix4d& matrix, const std::string& place) {
 }
 
 std::vector<StampedPose> readPoses(const std::filesystem::path& path) {
-  const std::string text = readFile(path);
   std::vector<StampedPose> poses;
-  std::string_view rest = text;
-  for (int number = 1; !rest.empty(); ++number) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    const std::vector<std::string_view> columns = words(line.substr(0, line.find('#')));
-    if (columns.empty()) continue;
-
-    const std::string place = fmt::format("{}:{}", path.string(), number);
-    StampedPose pose;
-    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-    if (columns.size() == 13) {
-      pose.stamp_ns = parse<std::int64_t>(columns[0], place, "a stamp in whole nanoseconds");
-      for (int i = 0; i < 12; ++i) {
-        matrix(i / 4, i % 4) =
-            parse<double>(columns[static_cast<std::size_t>(i) + 1], place, "a number");
-      }
-    } else if (columns.size() == 8) {
-      pose.stamp_ns = parseSeconds(columns[0], place);
-      double values[7];
-      for (std::size_t i = 0; i < 7; ++i) {
-        values[i] = parse<double>(columns[i + 1], place, "a number");
-      }
-      matrix = matrixFromQuaternion(values, place);
-    } else {
+  forEachLine(path, [&](const std::vector<std::string_view>& columns, const std::string& place) {
+    if (columns.size() != 13 && columns.size() != 8) {
       throw InputError(
           fmt::format("{}: {} columns, expected 13 (stamp_ns and 3 x 4 matrix) or 8 (TUM)", place,
                       columns.size()));
     }
-    pose.T_world_camera = checkedPose(matrix, place);
-    if (!poses.empty() && pose.stamp_ns <= poses.back().stamp_ns) {
-      throw InputError(fmt::format("{}: stamp {} ns does not come after the one before, {} ns",
-                                   place, pose.stamp_ns, poses.back().stamp_ns));
-    }
+    const StampedPose pose = parseStampedPose(columns, place);
+    if (!poses.empty()) requireAscending(poses.back().stamp_ns, pose.stamp_ns, place);
     poses.push_back(pose);
-  }
+  });
   return poses;
 }
 
 void writePoses(const std::filesystem::path& path, const std::vector<StampedPose>& poses) {
   std::string text = "# stamp_ns, then T_world_camera (3 x 4) row by row [m]\n";
   for (const StampedPose& pose : poses) {
-    text += fmt::format("{}", pose.stamp_ns);
-    for (int i = 0; i < 12; ++i) text += fmt::format(" {}", pose.T_world_camera(i / 4, i % 4));
-    text += '\n';
+    text += fmt::format("{}{}\n", pose.stamp_ns, matrixText(pose.T_world_camera));
   }
   writeFileAtomic(path, text);
+}
+
+std::vector<ScanPose> readScanPoses(const std::filesystem::path& path) {
+  std::vector<ScanPose> poses;
+  forEachLine(path, [&](const std::vector<std::string_view>& columns, const std::string& place) {
+    ScanPose pose;
+    if (columns.size() == 26) {
+      pose.start_ns = parseNanoseconds(columns[0], place);
+      pose.stamp_ns = parseNanoseconds(columns[1], place);
+      pose.T_world_lidar_start = parsePose(columns, 2, place);
+      pose.T_world_lidar = parsePose(columns, 14, place);
+      requireForward(pose.start_ns, pose.stamp_ns, place);
+    } else if (columns.size() == 13 || columns.size() == 8) {
+      const StampedPose instant = parseStampedPose(columns, place);
+      pose = {instant.stamp_ns, instant.stamp_ns, instant.T_world_camera, instant.T_world_camera};
+    } else {
+      throw InputError(fmt::format(
+          "{}: {} columns, expected 26 (start_ns, stamp_ns and two 3 x 4 matrices), 13 (stamp_ns "
+          "and one matrix) or 8 (TUM)",
+          place, columns.size()));
+    }
+    if (!poses.empty()) requireAscending(poses.back().stamp_ns, pose.stamp_ns, place);
+    poses.push_back(pose);
+  });
+  return poses;
+}
+
+void writeScanPoses(const std::filesystem::path& path, const std::vector<ScanPose>& poses) {
+  std::string text =
+      "# start_ns, stamp_ns, then T_world_lidar (3 x 4) row by row [m] at the start, at the end\n";
+  for (const ScanPose& pose : poses) {
+    text += fmt::format("{} {}{}{}\n", pose.start_ns, pose.stamp_ns,
+                        matrixText(pose.T_world_lidar_start), matrixText(pose.T_world_lidar));
+  }
+  writeFileAtomic(path, text);
+}
+
+std::vector<Interval> readStamps(const std::filesystem::path& path) {
+  std::vector<Interval> stamps;
+  forEachLine(path, [&](const std::vector<std::string_view>& columns, const std::string& place) {
+    if (columns.size() > 2) {
+      throw InputError(fmt::format("{}: {} columns, expected a stamp, or start and end of a sweep",
+                                   place, columns.size()));
+    }
+    const auto stampIn = [&](std::string_view word) {
+      return word.find('.') == std::string_view::npos ? parseNanoseconds(word, place)
+                                                      : parseSeconds(word, place);
+    };
+    const Interval interval{stampIn(columns.front()), stampIn(columns.back())};
+    requireForward(interval.start_ns, interval.stamp_ns, place);
+    if (!stamps.empty()) requireAscending(stamps.back().stamp_ns, interval.stamp_ns, place);
+    stamps.push_back(interval);
+  });
+  return stamps;
+}
+
+std::vector<Transform> readKittiPoses(const std::filesystem::path& path) {
+  std::vector<Transform> poses;
+  forEachLine(path, [&](const std::vector<std::string_view>& columns, const std::string& place) {
+    if (columns.size() != 12) {
+      throw InputError(
+          fmt::format("{}: {} columns, expected 12 (3 x 4 matrix)", place, columns.size()));
+    }
+    poses.push_back(parsePose(columns, 0, place));
+  });
+  return poses;
 }
 
 Transform readPoseMatrix(const std::filesystem::path& path) {

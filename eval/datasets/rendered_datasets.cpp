@@ -38,6 +38,8 @@ DatasetConfig readPlacedMeshes(ConfigReader& reader, const fs::path&) {
   read(reader, config.sensor);
   ConfigReader odometry = reader.section("odometry");
   read(odometry, config.odometry);
+  ConfigReader lidar = reader.section("lidar");
+  read(lidar, preset, config.lidar);
   reader.finish();
 
   meshes.scene = root / scene_file;
@@ -46,8 +48,13 @@ DatasetConfig readPlacedMeshes(ConfigReader& reader, const fs::path&) {
     const RgbdRenderer::Config no_color{.with_color = false};
     std::vector<StampedPose> path = makeTrajectory(
         *scene, RgbdRenderer(scene, no_color).raycaster(), config.sensor.camera, config.trajectory);
-    return std::make_unique<SimulatedDataset>(name, scene, std::move(path), config.sensor,
-                                              config.odometry, seed);
+    auto dataset = std::make_unique<SimulatedDataset>(name, scene, std::move(path), config.sensor,
+                                                      config.odometry, seed);
+    if (config.lidar.enabled) {
+      dataset->mountLidar(config.lidar, cameraOnBody(config.trajectory.camera_height_m,
+                                                     config.trajectory.camera_pitch_deg));
+    }
+    return dataset;
   };
   // The meshes stand beside the scene's file.
   return {.name = name,

@@ -183,4 +183,6 @@ RenderedView RgbdRenderer::render(const Camera& camera, const Transform& T_world
 
 const Raycaster& RgbdRenderer::raycaster() const { return impl_->raycaster; }
 
+const DrawnMesh& RgbdRenderer::mesh(std::size_t index) const { return impl_->meshes[index]; }
+
 }  // namespace hydrabench

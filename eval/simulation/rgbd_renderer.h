@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "core/geometry/camera.h"
@@ -41,6 +42,8 @@ class RgbdRenderer {
   /// The same surfaces for other questions (visibility, clearance). Mesh i < objects.size() is
   /// object i, then come the drawn parts of the structure.
   const class Raycaster& raycaster() const;
+  /// What mesh i of the raycaster looks like.
+  const class DrawnMesh& mesh(std::size_t index) const;
 
  private:
   struct Impl;

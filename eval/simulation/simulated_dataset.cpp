@@ -13,6 +13,7 @@ namespace {
 // Streams of the world's seed.
 constexpr std::uint64_t kSensorStream = 101;
 constexpr std::uint64_t kOdometryStream = 102;
+constexpr std::uint64_t kLidarStream = 103;
 
 constexpr std::size_t kVisibilityFrames = 500;  // of the trajectory are looked at, evenly spread
 constexpr std::size_t kVisibilityPoints = 400;  // per object: a fraction is known to about 2.5 %
@@ -26,6 +27,7 @@ SimulatedConfig SimulatedConfig::forWorld(const std::string& world, const std::s
     config.office = OfficeConfig::quick();
     config.trajectory.duration_s = 30;
   }
+  config.lidar = LidarSensorConfig::forPattern(config.lidar.pattern, preset);
   if (preset == "clean") config.sensor = RgbdSensorConfig::clean();
   if (preset == "hard") {
     config.sensor = RgbdSensorConfig::hard();
@@ -51,6 +53,8 @@ void read(ConfigReader& reader, SimulatedConfig& config) {
   read(reader, config.sensor);
   ConfigReader odometry = reader.section("odometry");
   read(odometry, config.odometry);
+  ConfigReader lidar = reader.section("lidar");
+  read(lidar, preset, config.lidar);
 }
 
 std::string SimulatedConfig::name() const {
@@ -67,7 +71,11 @@ SimulatedDataset::SimulatedDataset(const SimulatedConfig& config)
       reported_poses_(
           driftedPoses(trajectory_, config.odometry, hashSeed(config.seed, kOdometryStream))),
       sensor_(config.sensor),
-      seed_(config.seed) {}
+      seed_(config.seed) {
+  if (!config.lidar.enabled) return;
+  const TrajectoryConfig& drive = config.trajectory;
+  mountLidar(config.lidar, cameraOnBody(drive.camera_height_m, drive.camera_pitch_deg));
+}
 
 SimulatedDataset::SimulatedDataset(std::string name, std::shared_ptr<const Scene> scene,
                                    std::vector<StampedPose> trajectory,
@@ -81,12 +89,18 @@ SimulatedDataset::SimulatedDataset(std::string name, std::shared_ptr<const Scene
       sensor_(sensor),
       seed_(seed) {}
 
+void SimulatedDataset::mountLidar(const LidarSensorConfig& config, const Transform& T_body_camera) {
+  lidar_.emplace(config, trajectory_, reported_poses_, T_body_camera,
+                 hashSeed(seed_, kLidarStream));
+}
+
 Frame SimulatedDataset::frame(std::size_t index) const {
   assert(index < trajectory_.size());
   Frame frame = observe(*scene_, renderer_, trajectory_[index].T_world_camera, sensor_,
                         hashSeed(seed_, kSensorStream), index);
   frame.stamp_ns = trajectory_[index].stamp_ns;
   frame.T_world_camera = reported_poses_[index];
+  if (lidar_) frame.scans = lidar_->scansOf(renderer_, index);
   return frame;
 }
 

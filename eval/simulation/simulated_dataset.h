@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "eval/simulation/odometry_drift.h"
 #include "eval/simulation/office_world.h"
 #include "eval/simulation/rgbd_sensor.h"
+#include "eval/simulation/simulated_lidar.h"
 #include "eval/simulation/trajectory.h"
 
 namespace hydrabench {
@@ -25,6 +27,7 @@ struct SimulatedConfig {
   TrajectoryConfig trajectory;
   RgbdSensorConfig sensor;
   OdometryDriftConfig odometry;
+  LidarSensorConfig lidar;  ///< off by default
 
   /// @param world   "office" (2000 frames) or "quick" (two rooms and a corridor, 300 frames)
   /// @param preset  "clean", "default" or "hard"
@@ -42,6 +45,8 @@ class SimulatedDataset : public Dataset {
   SimulatedDataset(std::string name, std::shared_ptr<const Scene> scene,
                    std::vector<StampedPose> trajectory, const RgbdSensorConfig& sensor,
                    const OdometryDriftConfig& odometry, std::uint64_t seed);
+  /// Frames carry scans from now on. Nothing else in them changes.
+  void mountLidar(const LidarSensorConfig& config, const Transform& T_body_camera);
 
   std::string name() const override { return name_; }
   std::uint64_t seed() const override { return seed_; }
@@ -63,6 +68,7 @@ class SimulatedDataset : public Dataset {
   std::vector<StampedPose> trajectory_;  ///< true
   std::vector<Transform> reported_poses_;
   RgbdSensorConfig sensor_;
+  std::optional<SimulatedLidar> lidar_;
   std::uint64_t seed_;
   mutable std::once_flag ground_truth_once_;
   mutable GroundTruth ground_truth_;

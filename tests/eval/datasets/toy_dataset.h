@@ -80,7 +80,7 @@ class ToyDataset : public Dataset {
   double depth_quantum_m = 0.001;
   bool exact_depth = false;  ///< depth that is no multiple of anything
 
- private:
+ protected:
   static Transform pose(std::uint64_t seed) {
     Random random(seed);
     const Eigen::Vector3d axis =
@@ -91,6 +91,7 @@ class ToyDataset : public Dataset {
     return pose;
   }
 
+ private:
   Camera camera_;
   LabelSpace label_space_;
   GroundTruth ground_truth_;
