@@ -106,7 +106,7 @@ TEST(SceneEvaluator, MeasuresAHoleAndItsRim) {
 
 TEST(SceneEvaluator, DoesNotAskForWhatAWallHides) {
   GroundTruth truth = meadow();
-  addBox(Aabb({-40, 4, 0}, {50, 5, 3}), kWall, truth);
+  addBox(Aabb(Eigen::Vector3d{-40, 4, 0}, Eigen::Vector3d{50, 5, 3}), kWall, truth);
   const SceneTally tally = scored(truth, Mesh());
   EXPECT_NEAR(tally.ground_m2[0] + tally.ground_m2[1] + tally.ground_m2[2],
               areaWithin(20) / 2 + 4 * (10 + 2 * 19.8), 30);
@@ -122,7 +122,7 @@ SceneGraph voxels(const std::vector<Eigen::Vector3f>& centers) {
 
 TEST(SceneEvaluator, CountsVoxelsThatAreTakenForSolidThoughFree) {
   GroundTruth truth = meadow();
-  addBox(Aabb({2, 8, 0}, {3, 9, 1}), kWall, truth);
+  addBox(Aabb(Eigen::Vector3d{2, 8, 0}, Eigen::Vector3d{3, 9, 1}), kWall, truth);
   const auto filled = [&](const std::vector<Eigen::Vector3f>& centers) {
     return scored(truth, voxels(centers)).filled_m3;
   };
@@ -135,7 +135,8 @@ TEST(SceneEvaluator, CountsVoxelsThatAreTakenForSolidThoughFree) {
 
 TEST(SceneEvaluator, CallsUprightGroundAKerb) {
   GroundTruth truth = meadow();
-  addBox(Aabb({-50, 3, -1}, {50, 50, 0.15}), kGrass, truth);  // a pavement
+  addBox(Aabb(Eigen::Vector3d{-50, 3, -1}, Eigen::Vector3d{50, 50, 0.15}), kGrass,
+         truth);  // a pavement
   const auto filled = scored(truth, voxels({{5, 2, 0.5f}, {5, -5, 0.5f}})).filled_m3;
   EXPECT_NEAR(filled.at("kerb"), 0.008, 1e-9);
   EXPECT_NEAR(filled.at("elsewhere"), 0.008, 1e-9);
