@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/lidar/deskew.h"
-#include "core/lidar/label_transfer.h"
+#include "core/lidar/image_transfer.h"
 #include "core/lidar/lidar_view.h"
 #include "core/lidar/scan_check.h"
 #include "core/types/error.h"
@@ -52,13 +52,12 @@ void LidarInput::integrate(const Frame& frame, ActiveWindow& window, StageTimes&
   for (const LidarScan& scan : frame.scans) {
     requireUsable(scan);
     std::vector<Eigen::Vector3f> points;
-    std::vector<Label> labels;
+    PointLooks looks;
     {
-      const StageTimes::Scope stage(times, "label_transfer");
+      const StageTimes::Scope stage(times, "image_transfer");
       points = config_.deskew ? deskewed(scan) : scan.points;
-      labels = !scan.labels.empty()
-                   ? scan.labels
-                   : labelsFromImage(frame, points, scan.T_world_lidar, config_.label_transfer);
+      looks = looksFromImage(frame, points, scan.T_world_lidar, config_.image_transfer);
+      if (!scan.labels.empty()) looks.labels = scan.labels;
     }
     GroundMask ground;
     {
@@ -68,18 +67,23 @@ void LidarInput::integrate(const Frame& frame, ActiveWindow& window, StageTimes&
                                  .points = level,
                                  .intensity = scan.intensity,
                                  .lines = scan.rings,
-                                 .labels = labels,
+                                 .labels = looks.labels,
                                  .sensor_height_m = config_.sensor_height_m});
     }
     {
       const StageTimes::Scope stage(times, "lidar_integrate");
-      std::vector<std::uint8_t> moving(labels.size());
-      std::transform(labels.begin(), labels.end(), moving.begin(), [&](Label label) {
+      std::vector<std::uint8_t> moving(looks.labels.size());
+      std::transform(looks.labels.begin(), looks.labels.end(), moving.begin(), [&](Label label) {
         return std::find(moving_.begin(), moving_.end(), label) != moving_.end();
       });
-      const LidarView view(
-          scan, {.points = points, .labels = labels, .ground = ground.classes, .moving = moving},
-          config_.min_range_m, config_.max_range_m);
+      const LidarView view(scan,
+                           {.points = points,
+                            .labels = looks.labels,
+                            .colors = looks.colors,
+                            .uncolored = looks.uncolored,
+                            .ground = ground.classes,
+                            .moving = moving},
+                           config_.min_range_m, config_.max_range_m);
       window.integrate(view.view(), integrator_);
     }
     if (replacesDepth()) depth_.add(std::move(points), scan.T_world_lidar);
@@ -119,8 +123,8 @@ void read(ConfigReader& reader, LidarInput::Config& config) {
   reader.choice("object_depth", config.object_depth, {"camera", "lidar", "filled"});
   auto ground = reader.section("ground");
   read(ground, config.ground);
-  auto label_transfer = reader.section("label_transfer");
-  read(label_transfer, config.label_transfer);
+  auto image_transfer = reader.section("image_transfer");
+  read(image_transfer, config.image_transfer);
   auto depth = reader.section("depth");
   read(depth, config.depth);
   auto integrator = reader.section("integrator");

@@ -37,7 +37,7 @@ class LidarInput {
     /// the camera's, and the scans where it measured nothing.
     std::string object_depth = "filled";
     GroundConfig ground;
-    OcclusionConfig label_transfer;
+    OcclusionConfig image_transfer;
     LidarDepth::Config depth;
     TsdfIntegrator::Config integrator;
   };
@@ -47,7 +47,7 @@ class LidarInput {
   bool enabled() const { return config_.enabled; }
   bool cameraInMap() const { return !config_.enabled || config_.camera_in_map; }
 
-  /// Takes the frame's scans into the map. Stages: ground, label_transfer, lidar_integrate. Throws
+  /// Takes the frame's scans into the map. Stages: ground, image_transfer, lidar_integrate. Throws
   /// InputError where a scan is not usable, see requireUsable().
   void integrate(const Frame& frame, ActiveWindow& window, StageTimes& times);
   /// The frame as objects are found and estimated from it, see Config::object_depth; the scans so

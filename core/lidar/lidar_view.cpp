@@ -73,6 +73,13 @@ LidarView::LidarView(const LidarScan& scan, const Points& points, double min_ran
     labels_ = picture<Label>(nearest, [&](std::uint32_t i) { return points.labels[i]; });
     view_.labels = &labels_;
   }
+  if (!points.colors.empty()) {
+    color_ = picture<Rgb>(nearest, [&](std::uint32_t i) { return points.colors[i]; });
+    uncolored_ =
+        picture<std::uint8_t>(nearest, [&](std::uint32_t i) { return points.uncolored[i]; });
+    view_.color = &color_;
+    view_.uncolored = &uncolored_;
+  }
   if (!points.ground.empty()) {
     ground_ = picture<std::uint8_t>(
         nearest, [&](std::uint32_t i) { return points.ground[i] == GroundClass::kGround; });

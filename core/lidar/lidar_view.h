@@ -17,9 +17,11 @@ namespace hydrabench {
 class LidarView {
  public:
   struct Points {
-    std::span<const Eigen::Vector3f> points;   ///< in the sensor's frame at the scan's stamp
-    std::span<const Label> labels = {};        ///< one per point, or none
-    std::span<const GroundClass> ground = {};  ///< one per point, or none
+    std::span<const Eigen::Vector3f> points;       ///< in the sensor's frame at the scan's stamp
+    std::span<const Label> labels = {};            ///< one per point, or none
+    std::span<const Rgb> colors = {};              ///< one per point, or none
+    std::span<const std::uint8_t> uncolored = {};  ///< not 0: no colour; with colors
+    std::span<const GroundClass> ground = {};      ///< one per point, or none
     std::span<const std::uint8_t> moving =
         {};  ///< not 0: keep out of the map; one per point, or none
   };
@@ -31,6 +33,8 @@ class LidarView {
 
  private:
   Image<Label> labels_;
+  Image<Rgb> color_;
+  Image<std::uint8_t> uncolored_;
   Image<std::uint8_t> ground_;
   Image<std::uint8_t> mask_;
   SensorView view_;  ///< points to the images

@@ -46,6 +46,7 @@ struct SensorView {
   double max_range_m = 5;
   float max_measured_m = 0;  ///< largest range in the image: behind it nothing is known
   const Image<Rgb>* color = nullptr;
+  const Image<std::uint8_t>* uncolored = nullptr;  ///< pixels other than 0 have no colour
   const Image<Label>* labels = nullptr;
   /// Pixels other than 0 update no voxel near the surface they see (moving things); what lies in
   /// front of them is carved free all the same.

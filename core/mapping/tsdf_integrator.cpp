@@ -166,7 +166,9 @@ class FrameUpdate {
     TsdfVoxel& tsdf = block.voxels[voxel];
     if (std::abs(sdf) < truncation_) {
       if (view_.mask != nullptr && chooseId(*view_.mask, sample) != 0) return false;
-      if (view_.color != nullptr) fuseColor(blendColor(*view_.color, sample), w, tsdf);
+      if (view_.color != nullptr && hasColor(sample)) {
+        fuseColor(blendColor(*view_.color, sample), w, tsdf);
+      }
       if (view_.labels != nullptr && block.semantics)
         block.semantics->fuse(voxel, chooseId(*view_.labels, sample), w);
     }
@@ -198,6 +200,14 @@ class FrameUpdate {
     const float total = voxel.weight + w;
     voxel.distance = (voxel.distance * voxel.weight + sdf * w) / total;
     voxel.weight = std::min(total, max_weight_);
+  }
+
+  bool hasColor(const RangeSample& sample) const {
+    if (view_.uncolored == nullptr) return true;
+    for (int i = 0; i < sample.count; ++i) {
+      if (view_.uncolored->data()[sample.pixels[static_cast<std::size_t>(i)]] != 0) return false;
+    }
+    return true;
   }
 
   /// Before the weight is raised: the share of the new measurement is w / (W + w). (Hydra takes

@@ -141,7 +141,15 @@ Image<Rgb> predictionPicture(const SceneGraph& graph, const PictureSize& size) {
 }
 
 Image<Rgb> sceneMeshPicture(const SceneGraph& graph, const PictureSize& size) {
-  return fromAbove({plainObject(graph.scene_mesh, Transform::Identity(), {200, 200, 200})}, size);
+  PreviewObject scene = plainObject(graph.scene_mesh, Transform::Identity(), {200, 200, 200});
+  // What only a lidar saw has no colour: there the class shows, or grey.
+  for (std::size_t i = 0; i < scene.mesh.colors.size(); ++i) {
+    if (scene.mesh.colors[i] != Rgb{}) continue;
+    const bool known = !graph.scene_labels.empty() && graph.scene_labels[i] != kUnknownLabel;
+    scene.mesh.colors[i] =
+        known ? colorOf(graph.scene_labels[i], graph.label_space) : Rgb{170, 170, 170};
+  }
+  return fromAbove({scene}, size);
 }
 
 Image<Rgb> objectSheet(const SceneGraph& graph, std::size_t count) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
-#include "core/lidar/label_transfer.h"
+#include "core/lidar/image_transfer.h"
 
 #include <gtest/gtest.h>
 
@@ -19,32 +19,40 @@ Frame halfAndHalf() {
 
 const std::vector<Eigen::Vector3f> kPoints = {{-0.5f, 0, 2}, {0.5f, 0, 2}, {0, 0, -2}};
 
-TEST(LabelTransfer, GivesPointsTheClassOfTheirPixel) {
-  EXPECT_EQ(labelsFromImage(halfAndHalf(), kPoints, Transform::Identity(), {}),
+TEST(ImageTransfer, GivesPointsTheClassOfTheirPixel) {
+  EXPECT_EQ(looksFromImage(halfAndHalf(), kPoints, Transform::Identity(), {}).labels,
             (std::vector<Label>{3, 7, kUnknownLabel}));
 }
 
-TEST(LabelTransfer, TakesThePosesOfBothSensors) {
+TEST(ImageTransfer, TakesThePosesOfBothSensors) {
   Frame frame = halfAndHalf();
   frame.T_world_camera.translation().x() = 11;
   Transform T_world_points = Transform::Identity();
   T_world_points.translation().x() = 10;  // everything appears 1 m farther left
-  EXPECT_EQ(labelsFromImage(frame, kPoints, T_world_points, {}),
+  EXPECT_EQ(looksFromImage(frame, kPoints, T_world_points, {}).labels,
             (std::vector<Label>{kUnknownLabel, 3, kUnknownLabel}));
 }
 
-TEST(LabelTransfer, DistrustsPixelsWhereTheCameraSawSomethingElse) {
+TEST(ImageTransfer, DistrustsPixelsWhereTheCameraSawSomethingElse) {
   Frame frame = halfAndHalf();
   frame.depth = Image<float>(100, 80, 1.5f);
   frame.depth(75, 40) = 0;  // not measured: nothing speaks against it
-  EXPECT_EQ(labelsFromImage(frame, kPoints, Transform::Identity(), {}),
+  EXPECT_EQ(looksFromImage(frame, kPoints, Transform::Identity(), {}).labels,
             (std::vector<Label>{kUnknownLabel, 7, kUnknownLabel}));
 }
 
-TEST(LabelTransfer, KnowsNothingWithoutALabelImage) {
+TEST(ImageTransfer, GivesPointsTheColorOfTheirPixel) {
+  Frame frame = halfAndHalf();
+  frame.color = Image<Rgb>(100, 80, Rgb{1, 2, 3});
+  const PointLooks looks = looksFromImage(frame, kPoints, Transform::Identity(), {});
+  EXPECT_EQ(looks.colors[1], (Rgb{1, 2, 3}));
+  EXPECT_EQ(looks.uncolored, (std::vector<std::uint8_t>{0, 0, 1}));
+}
+
+TEST(ImageTransfer, KnowsNothingWithoutALabelImage) {
   Frame frame = halfAndHalf();
   frame.labels = {};
-  EXPECT_EQ(labelsFromImage(frame, kPoints, Transform::Identity(), {}),
+  EXPECT_EQ(looksFromImage(frame, kPoints, Transform::Identity(), {}).labels,
             (std::vector<Label>(3, kUnknownLabel)));
 }
 
