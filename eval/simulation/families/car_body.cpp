@@ -3,6 +3,7 @@
 #include "eval/simulation/families/car_body.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +54,7 @@ SdfPtr tub(const CarSize& size) {
                          {-h, 0.55 * size.deck},
                          {-h + 0.05, size.deck - 0.13},
                          {-h + 0.13, size.deck},
-                         {std::min(size.rear_foot, -h + 0.5), size.deck + 0.01},
+                         {-h + 0.50, size.deck + 0.01},
                          {foot + 0.06, size.belt + 0.01},
                          {bonnet, 0.45 * size.belt + 0.55 * size.nose + 0.03},
                          {h - 0.28, size.nose},
@@ -127,11 +128,8 @@ SdfPtr screenRegion(const Eigen::Vector2d& foot, const Eigen::Vector2d& top, dou
 }  // namespace
 
 Vector3d surfacePoint(const Sdf& sdf, Vector3d p, const Vector3d& direction) {
-  for (int step = 0; step < 200; ++step) {
-    const double distance = sdf.value(p);
-    if (distance < 1e-5) break;
-    p += distance * direction;
-  }
+  for (int step = 0; step < 200 && sdf.value(p) > 1e-5; ++step) p += sdf.value(p) * direction;
+  assert(sdf.value(p) <= 1e-5 && "the ray misses the shape");
   return p;
 }
 
@@ -210,7 +208,7 @@ void addTrim(const CarSize& size, const CarBody& body, bool tall_tail_lights,
   const double c = size.clearance;
   builder.add({film(body.tub, mirrored({h - 0.16, 0.72 * w, size.nose - 0.12},
                                        {0.52, 0.42 * w, 0.13}, 0.045))},
-              plain({226, 232, 236}, 0.9));
+              plain({170, 184, 194}, 0.9));
   const double tail = size.deck - (tall_tail_lights ? 0.22 : 0.18);
   builder.add({film(body.tub, mirrored({-h + 0.10, 0.80 * w, tail},
                                        {0.5, 0.36 * w, tall_tail_lights ? 0.30 : 0.15}, 0.04))},

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kThinnest = 0.05;  ///< [m] spokes and the mirrors' arms
 /// Panels bend over decimetres; a pitch as fine as furniture's would cost seconds.
-constexpr double kCarPitch = 0.028;
+constexpr double kCarPitch = 0.025;
 
 Material carPaint(Parameters& parameters) {
   return plain(parameters.color({{226, 228, 228},
