@@ -35,6 +35,13 @@ Material concrete(Parameters& parameters) {
   return material;
 }
 
+/// Boards have many narrow edges: a grid finer than their thickness asks for.
+ShapeInstance finishBench(InstanceBuilder& builder, double thinnest_m, int yaw_symmetry = 1) {
+  ShapeInstance bench = builder.finish(thinnest_m, yaw_symmetry);
+  bench.max_pitch_m = 0.010;
+  return bench;
+}
+
 /// A board along y whose cross-section is centred at (x, z) and turned by `tilt` from level.
 SdfPtr board(double x, double z, double width, double length, double tilt) {
   return turned(roundedBox({0, 0, 0}, {width, length, kSlat}, 0.008), Vector3d::UnitY(), tilt,
@@ -124,7 +131,7 @@ ShapeInstance buildParkBench(Parameters& parameters) {
   boards.insert(boards.end(), rests.begin(), rests.end());
   builder.add(boards, timber);
   builder.add(iron, castIron(parameters));
-  return builder.finish(0.03);
+  return finishBench(builder, 0.03);
 }
 
 /// Low, without a back: a slab of concrete, or boards on steel frames or blocks.
@@ -165,7 +172,7 @@ ShapeInstance buildSlabBench(Parameters& parameters) {
   }
   if (style == 0) feet.push_back(standingBox({0, 0, under - 0.034}, {0.05, 2 * y, 0.034}, 0.006));
   builder.add(feet, style == 0 ? castIron(parameters) : concrete(parameters));
-  return builder.finish(kSlat, 2);
+  return finishBench(builder, kSlat, 2);
 }
 
 /// Table and two benches on common A-frames.
@@ -191,7 +198,8 @@ ShapeInstance buildPicnicBench(Parameters& parameters) {
   builder.add(boards, timber);
   std::vector<SdfPtr> frame;
   const double spread = parameters.range(0.6, 0.75) * seat_at;  ///< of a leg's foot
-  constexpr double kBeam = 0.045;
+  constexpr double kBeam = 0.052;
+  constexpr double kLeg = 0.042;
   for (const double end : {-1.0, 1.0}) {
     const double at = end * y;
     const double z = seat - kSlat - 0.039;
@@ -202,7 +210,7 @@ ShapeInstance buildPicnicBench(Parameters& parameters) {
       const double inner = 0.45 * half_top;
       const Polyline leg = {{side * (spread + 0.1), 0.0}, {side * inner, table - kSlat - 0.02}};
       // Cut level at the ground.
-      frame.push_back(intersect(sideFrame(leg, 0.045, at, kBeam),
+      frame.push_back(intersect(sideFrame(leg, 0.045, at, kLeg),
                                 standingBox({0, at, 0}, {4, 1, table - kSlat + 0.004}, 0)));
     }
     // A brace from the middle of the seat's beam to the table.
@@ -210,7 +218,7 @@ ShapeInstance buildPicnicBench(Parameters& parameters) {
   }
   frame.push_back(roundedBox({0, 0, table - kSlat - 0.03}, {0.09, 2 * y, 0.05}, 0.008));
   builder.add(frame, parameters.chance(0.7) ? timber : castIron(parameters));
-  return builder.finish(kSlat, 2);
+  return finishBench(builder, kSlat, 2);
 }
 
 }  // namespace

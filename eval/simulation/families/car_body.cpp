@@ -43,6 +43,13 @@ double rearAt(const CarSize& size, double z) {
          (z - size.belt) / (size.height - 0.06 - size.belt) * (size.roof_rear - size.rear_foot);
 }
 
+/// Outline of the plan, as far inside the bumpers as said.
+SdfPtr fromAbove(const CarSize& size, double inset) {
+  return moved(extrusion(rectangleProfile({0, 0}, {size.length - 2 * inset, size.width}, 0.45),
+                         Axis::kZ, size.height + 1, 0),
+               {0, 0, 0.5 * size.height});
+}
+
 SdfPtr tub(const CarSize& size) {
   const double h = 0.5 * size.length;
   const double c = size.clearance;
@@ -71,13 +78,10 @@ SdfPtr tub(const CarSize& size) {
                             {w, waist},
                             {w, c + 0.16},
                             {0.93 * w, c}};
-  const SdfPtr from_above =
-      moved(extrusion(rectangleProfile({0, 0}, {size.length, size.width}, 0.52), Axis::kZ,
-                      size.belt + 1, 0),
-            {0, 0, 0.5 * (c + size.belt)});
-  SdfPtr body = smoothIntersection(
-      smoothIntersection(extrusion(convexProfile(side), Axis::kY, size.width, 0), from_above, 0.14),
-      extrusion(convexProfile(section), Axis::kX, size.length + 1, 0), 0.10);
+  SdfPtr body =
+      smoothIntersection(smoothIntersection(extrusion(convexProfile(side), Axis::kY, size.width, 0),
+                                            fromAbove(size, 0), 0.14),
+                         extrusion(convexProfile(section), Axis::kX, size.length + 1, 0), 0.10);
   std::vector<SdfPtr> arches;
   for (const double axle : {size.front_axle, size.rear_axle}) {
     for (const double s : {-1.0, 1.0}) {
@@ -105,8 +109,10 @@ SdfPtr cabin(const CarSize& size) {
   const Polyline section = {{-w, low},          {-w, size.belt},   {-top - 0.02, roof - 0.08},
                             {-0.7 * top, roof}, {0.7 * top, roof}, {top + 0.02, roof - 0.08},
                             {w, size.belt},     {w, low}};
-  return smoothIntersection(extrusion(convexProfile(side), Axis::kY, size.width, 0),
-                            extrusion(convexProfile(section), Axis::kX, size.length + 1, 0), 0.13);
+  return smoothIntersection(
+      smoothIntersection(extrusion(convexProfile(side), Axis::kY, size.width, 0),
+                         extrusion(convexProfile(section), Axis::kX, size.length + 1, 0), 0.13),
+      fromAbove(size, 0.02), 0.10);
 }
 
 /// Pane in the plane through two points of the x-z plane, with lower and upper width.
@@ -201,7 +207,7 @@ void addWheels(const CarSize& size, int spokes, const Material& rim, InstanceBui
   builder.add(std::move(rims), rim);
 }
 
-void addTrim(const CarSize& size, const CarBody& body, bool tall_tail_lights,
+void addTrim(const CarSize& size, const CarBody& body, TailLights tail_lights,
              InstanceBuilder& builder) {
   const double h = 0.5 * size.length;
   const double w = 0.5 * size.width;
@@ -209,9 +215,11 @@ void addTrim(const CarSize& size, const CarBody& body, bool tall_tail_lights,
   builder.add({film(body.tub, mirrored({h - 0.16, 0.72 * w, size.nose - 0.12},
                                        {0.52, 0.42 * w, 0.13}, 0.045))},
               plain({170, 184, 194}, 0.9));
-  const double tail = size.deck - (tall_tail_lights ? 0.22 : 0.18);
-  builder.add({film(body.tub, mirrored({-h + 0.10, 0.80 * w, tail},
-                                       {0.5, 0.36 * w, tall_tail_lights ? 0.30 : 0.15}, 0.04))},
+  const bool wide = tail_lights == TailLights::kWide;
+  const bool slim = tail_lights == TailLights::kSlim;
+  builder.add({film(body.tub, mirrored({-h + 0.10, (slim ? 0.98 : 0.80) * w,
+                                        size.deck - (wide ? 0.18 : 0.22)},
+                                       {0.5, (slim ? 0.16 : 0.36) * w, wide ? 0.15 : 0.30}, 0.04))},
               plain({168, 22, 26}, 0.8));
   std::vector<SdfPtr> dark = {
       film(body.tub, roundedBox({h, 0, size.nose - 0.13}, {0.5, 0.84 * w, 0.10}, 0.03)),
@@ -230,9 +238,8 @@ void addTrim(const CarSize& size, const CarBody& body, bool tall_tail_lights,
     const Vector3d at = surfacePoint(*body.tub, {end * (h + 0.5), 0, z}, {-end, 0, 0});
     return roundedBox(at, {0.05, 0.50, 0.11}, 0.008);
   };
-  builder.add(
-      {plateAt(1, c + 0.27), plateAt(-1, tall_tail_lights ? 0.60 * size.deck : size.deck - 0.2)},
-      plain({232, 232, 226}, 0.3));
+  builder.add({plateAt(1, c + 0.27), plateAt(-1, wide ? size.deck - 0.2 : 0.60 * size.deck)},
+              plain({232, 232, 226}, 0.3));
 }
 
 void addMirrorsAndHandles(const CarSize& size, const CarBody& body, const Material& paint,

@@ -46,8 +46,8 @@ void addScreens(const CarSize& size, const CarBody& body, bool rear, InstanceBui
 /// Tyres on rims with `spokes` spokes, axles into the body.
 void addWheels(const CarSize& size, int spokes, const Material& rim, InstanceBuilder& builder);
 /// Head and tail lights, grille, sills, wheel housings, number plates.
-/// @param tall_tail_lights  along the rear window's sides, as cars with a tailgate have them
-void addTrim(const CarSize& size, const CarBody& body, bool tall_tail_lights,
+enum class TailLights { kWide, kTall, kSlim };  ///< beside a boot lid, a tailgate, an open bed
+void addTrim(const CarSize& size, const CarBody& body, TailLights tail_lights,
              InstanceBuilder& builder);
 /// Mirrors and a handle behind every pane.
 void addMirrorsAndHandles(const CarSize& size, const CarBody& body, const Material& paint,

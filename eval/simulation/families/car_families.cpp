@@ -12,7 +12,7 @@ constexpr double kCarPitch = 0.025;
 Material carPaint(Parameters& parameters) {
   return plain(parameters.color({{226, 228, 228},
                                  {168, 172, 176},
-                                 {36, 38, 42},
+                                 {56, 58, 64},
                                  {96, 100, 106},
                                  {158, 28, 32},
                                  {36, 70, 128},
@@ -63,7 +63,7 @@ struct Fittings {
   std::vector<double> pillars;  ///< x of the uprights between panes
   double last_pane_to = -10;    ///< x where the sides' glass ends
   bool rear_window = true;
-  bool tall_tail_lights = true;
+  TailLights tail_lights = TailLights::kTall;
 };
 
 void addCar(Parameters& parameters, const CarSize& size, const CarBody& body, const Material& paint,
@@ -71,7 +71,7 @@ void addCar(Parameters& parameters, const CarSize& size, const CarBody& body, co
   builder.add({body.tub, body.cabin}, paint);
   addSidePanes(size, body, fittings.pillars, fittings.last_pane_to, builder);
   addScreens(size, body, fittings.rear_window, builder);
-  addTrim(size, body, fittings.tall_tail_lights, builder);
+  addTrim(size, body, fittings.tail_lights, builder);
   std::vector<double> handles;
   for (const double pillar : fittings.pillars) handles.push_back(pillar + 0.14);
   const Material mirrors = parameters.chance(0.6) ? paint : blackPlastic();
@@ -108,7 +108,7 @@ ShapeInstance buildSedan(Parameters& parameters) {
   size.deck = size.belt + parameters.range(0.03, 0.07);
   size.rear_axle = (0.5 - parameters.range(0.78, 0.80)) * length;
   Fittings fittings{{middlePillar(size)}};
-  fittings.tall_tail_lights = false;
+  fittings.tail_lights = TailLights::kWide;
   addCar(parameters, size, carBody(size), carPaint(parameters), fittings, builder);
   return finishCar(builder);
 }
@@ -184,10 +184,13 @@ ShapeInstance buildPickup(Parameters& parameters) {
   const double rear = -0.5 * length + 0.09;
   const double front = size.rear_foot - 0.10;
   const double floor = 2 * size.wheel + 0.055 + 0.05;  // above the wheel arches
-  const SdfPtr bed =
-      roundedBox({0.5 * (rear + front), 0, floor + 0.5}, {front - rear, width - 0.24, 1.0}, 0.03);
+  // Corners as round as the body's, less the wall.
+  const SdfPtr bed = moved(
+      extrusion(rectangleProfile({0, 0}, {front - rear, width - 0.24}, 0.34), Axis::kZ, 1.0, 0.03),
+      {0.5 * (rear + front), 0, floor + 0.5});
   body.tub = subtract(body.tub, bed);
   Fittings fittings{{middlePillar(size)}};
+  fittings.tail_lights = TailLights::kSlim;
   addCar(parameters, size, body, carPaint(parameters), fittings, builder);
   return finishCar(builder);
 }
