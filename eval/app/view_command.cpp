@@ -128,7 +128,9 @@ void viewResult(const Options& options) {
 int view(const Options& options) {
   if (options.families) {
     save(options.out / "families.png",
-         renderContactSheet(shapeFamilies(), options.seed, options.instances));
+         renderContactSheet(indoorFamilies(), options.seed, options.instances));
+    save(options.out / "families_outdoor.png",
+         renderContactSheet(outdoorFamilies(), options.seed, options.instances));
     return kDone;
   }
   if (options.source.empty()) {
@@ -169,7 +171,7 @@ Command addView(CLI::App& app) {
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   app.add_flag("--families", options->families,
-               "show every family of shapes instead, several instances each");
+               "show every family of shapes instead, several instances each, indoor and outdoor");
   app.add_option("--instances", options->instances, "with --families: instances of each")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();

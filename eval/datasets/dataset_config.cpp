@@ -44,6 +44,7 @@ void readLabelSpace(ConfigReader& reader, LabelSpace& label_space) {
     item.field("color", color, {0, 255});
     item.field("is_object", entry.is_object);
     item.field("is_scored", entry.is_scored);
+    item.field("is_ground", entry.is_ground);
     if (color.size() == 3) {
       entry.color = {static_cast<std::uint8_t>(color[0]), static_cast<std::uint8_t>(color[1]),
                      static_cast<std::uint8_t>(color[2])};
@@ -52,6 +53,9 @@ void readLabelSpace(ConfigReader& reader, LabelSpace& label_space) {
     }
     if (entry.is_scored && !entry.is_object) {
       item.fault("is_scored", "only a class with is_object: true can be scored");
+    }
+    if (entry.is_ground && entry.is_object) {
+      item.fault("is_ground", "a class with is_object: true cannot be ground");
     }
     if (!labels.insert(entry.label).second) {
       item.fault("label", fmt::format("{} is taken by an earlier class", entry.label));
@@ -64,9 +68,9 @@ std::string labelSpaceYaml(const LabelSpace& label_space) {
   std::string yaml = label_space.entries.empty() ? "label_space: []\n" : "label_space:\n";
   for (const LabelSpace::Entry& entry : label_space.entries) {
     yaml += fmt::format(
-        "  - {{label: {}, name: {}, color: [{}, {}, {}], is_object: {}, is_scored: {}}}\n",
+        "  - {{label: {}, name: {}, color: [{}, {}, {}], is_object: {}, is_scored: {}{}}}\n",
         entry.label, yamlText(entry.name), entry.color.r, entry.color.g, entry.color.b,
-        entry.is_object, entry.is_scored);
+        entry.is_object, entry.is_scored, entry.is_ground ? ", is_ground: true" : "");
   }
   return yaml;
 }

@@ -32,7 +32,7 @@ struct DatasetConfig {
 void readCamera(ConfigReader& reader, Camera& camera);
 std::string cameraYaml(const Camera& camera);
 
-/// List `label_space`: label, name, color [r, g, b], is_object, is_scored.
+/// List `label_space`: label, name, color [r, g, b], is_object, is_scored, is_ground.
 void readLabelSpace(ConfigReader& reader, LabelSpace& label_space);
 std::string labelSpaceYaml(const LabelSpace& label_space);
 

@@ -79,7 +79,7 @@ Image<Rgb> tiled(const std::vector<Image<Rgb>>& pictures, const std::vector<std:
   return whole;
 }
 
-Image<Rgb> renderContactSheet(const std::vector<ShapeFamily>& families, std::uint64_t seed,
+Image<Rgb> renderContactSheet(std::span<const ShapeFamily> families, std::uint64_t seed,
                               int instances_per_family, const ContactSheetStyle& style) {
   assert(!families.empty() && instances_per_family > 0 && style.blocks > 0);
   const int rows = (static_cast<int>(families.size()) + style.blocks - 1) / style.blocks;

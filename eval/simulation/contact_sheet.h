@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct ContactSheetStyle {
 /// One row for every family: the nominal instance, then drawn ones, all of a row at one scale, with
 /// name and class above.
 /// @param seed  picks the instances (evaluation split)
-Image<Rgb> renderContactSheet(const std::vector<ShapeFamily>& families, std::uint64_t seed,
+Image<Rgb> renderContactSheet(std::span<const ShapeFamily> families, std::uint64_t seed,
                               int instances_per_family, const ContactSheetStyle& style = {});
 
 }  // namespace hydrabench

@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/simulation/furnisher.h"
 
-#include <map>
-
-#include <fmt/format.h>
-
-#include "core/parallel/parallel_for.h"
-#include "eval/simulation/surface_mesher.h"
+#include "eval/simulation/placed_shape.h"
 
 namespace hydrabench {
 namespace {
@@ -22,15 +17,6 @@ Aabb boxInWorld(const Aabb& box, const Transform& T_world_object) {
     result.extend(T_world_object * box.corner(static_cast<Aabb::CornerType>(i)));
   }
   return result;
-}
-
-std::shared_ptr<const Surface> surfaceOf(const ShapeInstance& shape) {
-  SurfaceMesh meshed = meshInstance(shape);
-  auto surface = std::make_shared<Surface>();
-  surface->mesh = std::move(meshed.mesh);
-  surface->face_material = std::move(meshed.face_part);
-  for (const ShapePart& part : shape.parts) surface->materials.push_back(part.material);
-  return surface;
 }
 
 }  // namespace
@@ -111,32 +97,12 @@ std::optional<double> Furnisher::topOf(Index index, const Eigen::Vector2d& point
 
 void appendPieces(const std::vector<Furnisher::Placed>& placed, const FloorPlan& plan,
                   Scene& scene) {
-  // Desks of one island share their shape, and so their mesh.
-  std::vector<std::size_t> same_as(placed.size());
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    same_as[i] = 0;
-    while (placed[same_as[i]].piece.shape != placed[i].piece.shape) ++same_as[i];
+  std::vector<PlacedShape> shapes;
+  for (const Furnisher::Placed& item : placed) {
+    shapes.push_back({item.piece.shape, item.piece.label,
+                      plan.rooms[static_cast<std::size_t>(item.room)].name, item.T_world_object});
   }
-  std::vector<std::shared_ptr<const Surface>> surfaces(placed.size());
-  parallelFor(placed.size(), [&](std::size_t i) {
-    if (same_as[i] == i) surfaces[i] = surfaceOf(*placed[i].piece.shape);
-  });
-  std::map<Label, int> counts;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Furnisher::Placed& item = placed[i];
-    const LabelSpace::Entry* entry = scene.label_space.find(item.piece.label);
-    SceneObject object;
-    object.name = fmt::format("{}_{:03d}", scene.label_space.nameOf(item.piece.label),
-                              ++counts[item.piece.label]);
-    object.subtype = item.piece.shape->family;
-    object.room = plan.rooms[static_cast<std::size_t>(item.room)].name;
-    object.label = item.piece.label;
-    object.scored = entry && entry->is_scored;
-    object.T_world_object = item.T_world_object;
-    object.surface = surfaces[same_as[i]];
-    object.shape = item.piece.shape;
-    scene.objects.push_back(std::move(object));
-  }
+  appendShapes(shapes, scene);
 }
 
 }  // namespace hydrabench

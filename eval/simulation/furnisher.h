@@ -68,7 +68,7 @@ class Furnisher {
   std::vector<Placed> placed_;
 };
 
-/// Meshes all pieces and appends them to the scene, with names counted per class ("chair_007").
+/// Meshes all pieces and appends them to the scene.
 void appendPieces(const std::vector<Furnisher::Placed>& placed, const FloorPlan& plan,
                   Scene& scene);
 

@@ -9,13 +9,15 @@ namespace hydrabench {
 namespace {
 
 constexpr float kCell_m = 0.5f;
-constexpr float kInset_m = 0.12f;      // a point on a wall belongs to the room its face looks into
-constexpr float kLampSize_m2 = 0.35f;  // keeps the light finite under a lamp that is no point
-constexpr float kLesserLamps = 0.55f;  // their shadows are not traced, so they count for less
+constexpr float kInset_m = 0.12f;       // a point on a wall belongs to the room its face looks into
+constexpr float kLampSize_m2 = 0.35f;   // keeps the light finite under a lamp that is no point
+constexpr float kSunDistance_m = 1000;  // of the point that shadow rays go to; beyond any world
+constexpr float kLesserLamps = 0.55f;   // their shadows are not traced, so they count for less
 
 }  // namespace
 
-Lighting::Lighting(const Scene& scene) {
+Lighting::Lighting(const Scene& scene) : sun_(scene.sun) {
+  if (sun_) return;
   for (const Lamp& lamp : scene.lamps) {
     lamps_.push_back({lamp.position.cast<float>(), static_cast<float>(lamp.intensity)});
   }
@@ -64,7 +66,19 @@ Lighting::Lighting(const Scene& scene) {
   }
 }
 
+Lighting::Sample Lighting::daylightAt(const Eigen::Vector3f& point,
+                                      const Eigen::Vector3f& normal) const {
+  const Eigen::Vector3f to_sun = sun_->to_sun.cast<float>();
+  Sample sample;
+  // A wall sees half of the sky; what faces down sees the lit ground only.
+  sample.ambient = static_cast<float>(sun_->sky) * (0.65f + 0.35f * normal.z());
+  sample.key = static_cast<float>(sun_->intensity) * std::max(0.0f, normal.dot(to_sun));
+  sample.key_position = point + kSunDistance_m * to_sun;
+  return sample;
+}
+
 Lighting::Sample Lighting::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const {
+  if (sun_) return daylightAt(point, normal);
   const Eigen::Vector2f place = (point + kInset_m * normal).head<2>() - origin_;
   const int column = std::clamp(static_cast<int>(place.x() / kCell_m), 0, columns_ - 1);
   const int row = std::clamp(static_cast<int>(place.y() / kCell_m), 0, rows_ - 1);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,7 +14,7 @@
 namespace hydrabench {
 
 /// Light of the ceiling lamps, looked up by place: for every half metre of floor the lamps of that
-/// room which matter most there.
+/// room which matter most there. Outdoors that of sun and sky, the same everywhere.
 class Lighting {
  public:
   /// Light at a surface point, 1 being white on a white surface. The key lamp is the strongest; the
@@ -35,6 +36,9 @@ class Lighting {
     Eigen::Vector3f position;
     float intensity;
   };
+  Sample daylightAt(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const;
+
+  std::optional<Sun> sun_;
   std::vector<Source> lamps_;
   std::vector<CellLamps> cells_;
   Eigen::Vector2f origin_ = Eigen::Vector2f::Zero();

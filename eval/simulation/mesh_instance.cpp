@@ -65,7 +65,7 @@ SurfaceMesh meshInstance(const ShapeInstance& instance) {
   constexpr double kMaxError = 2e-4;  // [m]
   constexpr std::size_t kMaxFaces = 12000;
   // Two samples or more across the thinnest part.
-  const double pitch = std::clamp(0.45 * instance.thinnest_m, 0.0035, 0.014);
+  const double pitch = std::clamp(0.45 * instance.thinnest_m, 0.0035, instance.max_pitch_m);
   SurfaceMesh surface =
       simplifySurface(largestPiece(extractSurface(instance.parts, pitch)), kMaxError, kMaxFaces);
   roundToFloat(surface.mesh);

@@ -23,6 +23,11 @@ struct RgbdSensorConfig {
   static RgbdSensorConfig clean();  ///< exact depth, exact masks; ids are shuffled all the same
   static RgbdSensorConfig hard();
 };
+/// Puts a RealSense D455 in place of the camera, whatever the preset: its lens and baseline, depth
+/// up to 6 m, beyond which its stereo matching fails, and errors that grow with the square of the
+/// depth as its baseline has it. Where the preset has no noise there still is none.
+void useOutdoorCamera(RgbdSensorConfig& config);
+
 /// Sections camera, depth_noise and masks.
 void read(ConfigReader& reader, RgbdSensorConfig& config);
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,12 +51,21 @@ struct Lamp {
   int room = -1;         ///< index into rooms; lights that room only. -1: all
 };
 
-/// A static world: what the sensors look at. Made by a generator (office) or from mesh files.
+/// Daylight: parallel light with hard shadows and an even sky.
+struct Sun {
+  Eigen::Vector3d to_sun = Eigen::Vector3d::UnitZ();  ///< unit vector, world frame
+  double intensity = 0.8;  ///< irradiance on a surface that faces it, 1 being white on white
+  double sky = 0.4;        ///< on a surface that faces up, without the sun
+};
+
+/// A static world: what the sensors look at. Made by a generator (office, campus) or from mesh
+/// files.
 struct Scene {
   LabelSpace label_space;
   std::vector<SceneObject> objects;
   std::vector<StructurePart> structure;
   std::vector<Lamp> lamps;
+  std::optional<Sun> sun;  ///< lights in place of the lamps; none indoors
   std::vector<Room> rooms;
 };
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace hydrabench {
@@ -77,6 +78,39 @@ class Polygon final : public SdfProfile {
   Polyline corners_;
 };
 
+class Convex final : public SdfProfile {
+ public:
+  explicit Convex(const Polyline& corners) : bounds_(boxAround(corners, 0)) {
+    assert(corners.size() > 2);
+    const Vector2d center = std::accumulate(corners.begin(), corners.end(), Vector2d(0, 0)) /
+                            static_cast<double>(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector2d& a = corners[i];
+      const Vector2d along = (corners[(i + 1) % corners.size()] - a).normalized();
+      Vector2d normal(along.y(), -along.x());
+      if (normal.dot(center - a) > 0) normal = -normal;
+      assert(normal.dot(corners[(i + 2) % corners.size()] - a) < 1e-12);
+      sides_.push_back({normal, normal.dot(a)});
+    }
+  }
+  double value(const Vector2d& p) const override {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const Side& side : sides_) {
+      largest = std::max(largest, side.normal.dot(p) - side.offset);
+    }
+    return largest;
+  }
+  AlignedBox2d bounds() const override { return bounds_; }
+
+ private:
+  struct Side {
+    Vector2d normal;  ///< outward
+    double offset;
+  };
+  std::vector<Side> sides_;
+  AlignedBox2d bounds_;
+};
+
 class Stroke final : public SdfProfile {
  public:
   Stroke(Polyline points, double half_width) : points_(std::move(points)), half_width_(half_width) {
@@ -111,6 +145,8 @@ SdfProfilePtr rectangleProfile(const Vector2d& center, const Vector2d& dimension
 SdfProfilePtr polygonProfile(Polyline corners) {
   return std::make_shared<Polygon>(std::move(corners));
 }
+
+SdfProfilePtr convexProfile(const Polyline& corners) { return std::make_shared<Convex>(corners); }
 
 SdfProfilePtr strokeProfile(Polyline points, double half_width) {
   return std::make_shared<Stroke>(std::move(points), half_width);

@@ -9,8 +9,8 @@
 
 namespace hydrabench {
 
-/// Signed distance to a figure in the plane, exact, negative inside; the cross-section of
-/// extrusions and solids of revolution.
+/// Signed distance to a figure in the plane, exact unless said otherwise, negative inside; the
+/// cross-section of extrusions and solids of revolution.
 class SdfProfile {
  public:
   virtual ~SdfProfile() = default;
@@ -25,6 +25,10 @@ SdfProfilePtr rectangleProfile(const Eigen::Vector2d& center, const Eigen::Vecto
                                double rounding);
 /// Simple polygon, either orientation.
 SdfProfilePtr polygonProfile(Polyline corners);
+/// Convex polygon, either orientation. Exact inside and before its sides; before a corner
+/// the larger distance to the lines of its two sides, a lower bound: several times cheaper than
+/// polygonProfile, for figures that are blended with others anyway.
+SdfProfilePtr convexProfile(const Polyline& corners);
 /// All points within half_width of a polyline: a bent sheet, once extruded. Ends are round.
 SdfProfilePtr strokeProfile(Polyline points, double half_width);
 

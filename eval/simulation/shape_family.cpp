@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 #include <utility>
 
 #include <fmt/core.h>
@@ -13,14 +14,29 @@
 namespace hydrabench {
 namespace {
 
-std::vector<ShapeFamily> allFamilies() {
-  std::vector<ShapeFamily> all;
-  for (std::vector<ShapeFamily> (*const families)() :
-       {chairFamilies, couchFamilies, plantFamilies, binFamilies, computerFamilies,
-        furnitureFamilies}) {
-    for (ShapeFamily& family : families()) all.push_back(std::move(family));
-  }
-  return all;
+struct FamilyTable {
+  std::vector<ShapeFamily> families;
+  std::size_t indoor = 0;  ///< so many of them, in front
+};
+
+FamilyTable makeTable() {
+  using Families = std::vector<ShapeFamily> (*)();
+  FamilyTable table;
+  const auto append = [&](std::initializer_list<Families> classes) {
+    for (const Families families : classes) {
+      for (ShapeFamily& family : families()) table.families.push_back(std::move(family));
+    }
+  };
+  append({chairFamilies, couchFamilies, plantFamilies, binFamilies, computerFamilies,
+          furnitureFamilies});
+  table.indoor = table.families.size();
+  append({hydrantFamilies, carFamilies, benchFamilies, treeFamilies, streetFamilies});
+  return table;
+}
+
+const FamilyTable& familyTable() {
+  static const FamilyTable table = makeTable();
+  return table;
 }
 
 [[noreturn]] void abortWith(const std::string& message) {
@@ -30,9 +46,14 @@ std::vector<ShapeFamily> allFamilies() {
 
 }  // namespace
 
-const std::vector<ShapeFamily>& shapeFamilies() {
-  static const std::vector<ShapeFamily> families = allFamilies();
-  return families;
+const std::vector<ShapeFamily>& shapeFamilies() { return familyTable().families; }
+
+std::span<const ShapeFamily> indoorFamilies() {
+  return std::span(familyTable().families).first(familyTable().indoor);
+}
+
+std::span<const ShapeFamily> outdoorFamilies() {
+  return std::span(familyTable().families).subspan(familyTable().indoor);
 }
 
 const ShapeFamily& shapeFamily(const std::string& name) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,16 @@ struct ShapePart {
 };
 
 /// One object of a family with its own proportions. Object frame: origin on the floor below the
-/// centre of the footprint, z up, x to the front (the way a person on the chair or couch looks; the
-/// side of a screen or a dispenser's tap).
+/// centre of the footprint (of the foot, where a crown or a lamp's arm reaches out), z up, x to the
+/// front (the way a person on the chair, the bench or at the wheel looks; the side of a screen, a
+/// dispenser's tap, a hydrant's largest outlet or a sign's face).
 struct ShapeInstance {
   std::string family;
   std::vector<ShapePart> parts;
-  SdfPtr sdf;                ///< union of the parts
-  int yaw_symmetry = 1;      ///< looks the same every 360/n degrees; 0: for any yaw
-  double thinnest_m = 0.02;  ///< smallest thickness of any part: what the mesh must resolve
+  SdfPtr sdf;                  ///< union of the parts
+  int yaw_symmetry = 1;        ///< looks the same every 360/n degrees; 0: for any yaw
+  double thinnest_m = 0.02;    ///< smallest thickness of any part: what the mesh must resolve
+  double max_pitch_m = 0.014;  ///< coarsest grid of the mesh: small next to what is rounded
 };
 
 /// A parametric family of shapes. `size` classes (small, large) and styles are families of their
@@ -41,9 +44,12 @@ struct ShapeFamily {
                                ///< template of the family
 };
 
-/// Every family in fixed order, grouped by class: chair, couch, plant, bin, computer, then unscored
-/// furniture.
+/// Every family in fixed order: those of rooms, then those of streets.
 const std::vector<ShapeFamily>& shapeFamilies();
+/// Grouped by class: chair, couch, plant, bin, computer, then unscored furniture.
+std::span<const ShapeFamily> indoorFamilies();
+/// Grouped by class: fire_hydrant, car, bench, then unscored: tree, pole, bollard, sign.
+std::span<const ShapeFamily> outdoorFamilies();
 const ShapeFamily& shapeFamily(const std::string& name);  ///< aborts for an unknown name
 
 struct SurfaceMesh {

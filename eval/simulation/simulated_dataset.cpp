@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "eval/simulation/campus_drive.h"
 #include "eval/simulation/visibility.h"
 
 namespace hydrabench {
@@ -18,11 +19,43 @@ constexpr std::uint64_t kLidarStream = 103;
 constexpr std::size_t kVisibilityFrames = 500;  // of the trajectory are looked at, evenly spread
 constexpr std::size_t kVisibilityPoints = 400;  // per object: a fraction is known to about 2.5 %
 
+std::shared_ptr<const Scene> makeWorld(const SimulatedConfig& config) {
+  return std::make_shared<const Scene>(config.isOutdoors()
+                                           ? makeCampus(config.campus, config.seed)
+                                           : makeOffice(config.office, config.seed));
+}
+
+std::vector<StampedPose> driveThrough(const SimulatedConfig& config, const Scene& scene,
+                                      const CampusTerrain* terrain, const Raycaster& raycaster) {
+  const Camera& camera = config.sensor.camera;
+  if (!terrain) return makeTrajectory(scene, raycaster, camera, config.trajectory);
+  return driveThroughCampus(scene, *terrain, campusWay(config.campus, *terrain), raycaster, camera,
+                            config.trajectory);
+}
+
+/// A robot the size of a Jackal.
+TrajectoryConfig campusDrive(bool quick) {
+  TrajectoryConfig config;
+  config.duration_s = quick ? 30 : 230;
+  config.camera_height_m = 0.55;
+  config.camera_pitch_deg = 4;
+  config.robot_radius_m = 0.35;
+  config.max_speed_m_s = 1.6;
+  config.max_yaw_rate_deg_s = 35;
+  return config;
+}
+
 }  // namespace
 
 SimulatedConfig SimulatedConfig::forWorld(const std::string& world, const std::string& preset) {
   SimulatedConfig config;
+  config.world = world;
   config.preset = preset;
+  if (config.isOutdoors()) {
+    const bool quick = world == "campus_quick";
+    if (quick) config.campus = CampusConfig::quick();
+    config.trajectory = campusDrive(quick);
+  }
   if (world == "quick") {
     config.office = OfficeConfig::quick();
     config.trajectory.duration_s = 30;
@@ -34,20 +67,26 @@ SimulatedConfig SimulatedConfig::forWorld(const std::string& world, const std::s
     config.odometry.translation_m_per_sqrt_m = 0.01;
     config.odometry.yaw_deg_per_sqrt_m = 0.15;
   }
+  if (config.isOutdoors()) useOutdoorCamera(config.sensor);
   return config;
 }
 
 void read(ConfigReader& reader, SimulatedConfig& config) {
-  std::string world = config.office.world;
+  std::string world = config.world;
   std::string preset = config.preset;
-  reader.choice("world", world, {"office", "quick"});
+  reader.choice("world", world, {"office", "quick", "campus", "campus_quick"});
   reader.choice("preset", preset, {"clean", "default", "hard"});
   const std::uint64_t seed = config.seed;
   config = SimulatedConfig::forWorld(world, preset);
   config.seed = seed;
   reader.field("seed", config.seed);
-  ConfigReader office = reader.section("office");
-  read(office, config.office);
+  if (config.isOutdoors()) {
+    ConfigReader campus = reader.section("campus");
+    read(campus, config.campus);
+  } else {
+    ConfigReader office = reader.section("office");
+    read(office, config.office);
+  }
   ConfigReader trajectory = reader.section("trajectory");
   read(trajectory, config.trajectory);
   read(reader, config.sensor);
@@ -58,16 +97,16 @@ void read(ConfigReader& reader, SimulatedConfig& config) {
 }
 
 std::string SimulatedConfig::name() const {
-  const std::string world = office.world == "quick" ? "office_quick" : "office";
-  return preset == "default" ? world : world + "_" + preset;
+  const std::string place = world == "quick" ? "office_quick" : world;
+  return preset == "default" ? place : place + "_" + preset;
 }
 
 SimulatedDataset::SimulatedDataset(const SimulatedConfig& config)
     : name_(config.name()),
-      scene_(std::make_shared<const Scene>(makeOffice(config.office, config.seed))),
+      scene_(makeWorld(config)),
+      terrain_(config.isOutdoors() ? std::optional(campusTerrain(config.seed)) : std::nullopt),
       renderer_(scene_),
-      trajectory_(
-          makeTrajectory(*scene_, renderer_.raycaster(), config.sensor.camera, config.trajectory)),
+      trajectory_(driveThrough(config, *scene_, terrain(), renderer_.raycaster())),
       reported_poses_(
           driftedPoses(trajectory_, config.odometry, hashSeed(config.seed, kOdometryStream))),
       sensor_(config.sensor),

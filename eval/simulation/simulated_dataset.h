@@ -10,6 +10,7 @@
 
 #include "core/config/config_reader.h"
 #include "eval/datasets/dataset.h"
+#include "eval/simulation/campus_world.h"
 #include "eval/simulation/odometry_drift.h"
 #include "eval/simulation/office_world.h"
 #include "eval/simulation/rgbd_sensor.h"
@@ -21,18 +22,23 @@ namespace hydrabench {
 /// A generated world, a drive through it and a sensor. `preset` (clean, default, hard) sets how
 /// much goes wrong; any key of the sections overrides it.
 struct SimulatedConfig {
+  std::string world = "office";
   std::string preset = "default";
   std::uint64_t seed = 1;  ///< of everything: rooms, furniture, noise
-  OfficeConfig office;
+  OfficeConfig office;     ///< of the worlds "office" and "quick"
+  CampusConfig campus;     ///< of the worlds "campus" and "campus_quick"
   TrajectoryConfig trajectory;
   RgbdSensorConfig sensor;
   OdometryDriftConfig odometry;
   LidarSensorConfig lidar;  ///< off by default
 
-  /// @param world   "office" (2000 frames) or "quick" (two rooms and a corridor, 300 frames)
+  /// @param world   "office" (2000 frames), "quick" (two rooms and a corridor, 300 frames),
+  /// "campus"
+  ///                (2300 frames) or "campus_quick" (40 m of its way, 300 frames)
   /// @param preset  "clean", "default" or "hard"
   static SimulatedConfig forWorld(const std::string& world, const std::string& preset = "default");
   std::string name() const;  ///< of the dataset: "office_quick_hard"
+  bool isOutdoors() const { return world == "campus" || world == "campus_quick"; }
 };
 void read(ConfigReader& reader, SimulatedConfig& config);
 
@@ -58,12 +64,15 @@ class SimulatedDataset : public Dataset {
   const GroundTruth& groundTruth() const override;
 
   const Scene& scene() const { return *scene_; }
+  /// Ground with its exact heights and features; null indoors and for scenes made elsewhere.
+  const CampusTerrain* terrain() const { return terrain_ ? &*terrain_ : nullptr; }
   const RgbdRenderer& renderer() const { return renderer_; }
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
 
  private:
   std::string name_;
   std::shared_ptr<const Scene> scene_;
+  std::optional<CampusTerrain> terrain_;
   RgbdRenderer renderer_;
   std::vector<StampedPose> trajectory_;  ///< true
   std::vector<Transform> reported_poses_;

@@ -49,10 +49,16 @@ void read(ConfigReader& reader, CrispTrainingConfig::Joint& joint) {
 
 }  // namespace
 
+void CrispTrainingConfig::useStreetClasses() {
+  class_weights = {{"bench", 0.35}, {"car", 0.35}, {"fire_hydrant", 0.3}};
+  sdf_quantiles = {{"bench", 0.35}, {"car", 0.35}, {"fire_hydrant", 0.35}};
+}
+
 void read(ConfigReader& reader, CrispTrainingConfig& config) {
   reader.field("seed", config.seed);
   auto worlds = reader.section("worlds");
   read(worlds, config.worlds);
+  if (config.worlds.world == "street") config.useStreetClasses();
   auto weights = reader.section("class_weights");
   for (auto& [name, weight] : config.class_weights) weights.field(name, weight, {0, 1e6});
   auto quantiles = reader.section("sdf_quantiles");

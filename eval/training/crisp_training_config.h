@@ -15,6 +15,7 @@ namespace hydrabench {
 struct CrispTrainingConfig {
   std::uint64_t seed = 1;
   TrainingWorldConfig worlds;
+  /// Of the world's classes: those of rooms unless said otherwise.
   std::map<std::string, double> class_weights = {
       {"bin", 0.2}, {"chair", 0.35}, {"couch", 0.22}, {"plant", 0.23}};
 
@@ -70,6 +71,9 @@ struct CrispTrainingConfig {
   int validation_worlds = 4;
   int validation_every = 1000;  ///< steps
   int checkpoint_every = 500;
+
+  /// Weights and quantiles for the classes of the world "street".
+  void useStreetClasses();
 };
 void read(ConfigReader& reader, CrispTrainingConfig& config);
 

@@ -7,26 +7,22 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
-#include <numbers>
 
 #include "core/geometry/surface_sampling.h"
-#include "eval/simulation/clearance_map.h"
 #include "eval/simulation/depth_noise.h"
 #include "eval/simulation/mask_corruption.h"
 #include "eval/simulation/office_world.h"
 #include "eval/simulation/rgbd_renderer.h"
-#include "eval/simulation/trajectory.h"
+#include "eval/simulation/street_block.h"
+#include "eval/training/training_views.h"
 
 namespace hydrabench {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::uint64_t kOfficeStream = 1;
 constexpr std::uint64_t kFrameStream = 2;
 constexpr std::uint64_t kShapeStream = 3;
 constexpr double kCube = 1.15;  // object coordinates: where distances are sampled
-
-double radians(double degrees) { return degrees * kPi / 180; }
 
 /// Scored objects of a scene as training shapes.
 struct Shapes {
@@ -41,7 +37,20 @@ Eigen::Vector3d inCube(Random& random) {
           random.uniform(-kCube, kCube)};
 }
 
-TrainingShape shapeOf(const SceneObject& object, const Aabb& box, int count, Random random) {
+/// How an object leans, apart from its yaw: a car on an incline. The identity for all that stand
+/// upright, to the last bit.
+Eigen::Matrix3d leanOf(const SceneObject& object) {
+  const Eigen::Matrix3d R = object.T_world_object.linear();
+  if (R(2, 2) > 1 - 1e-12) return Eigen::Matrix3d::Identity();
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  return Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R;
+}
+
+/// A leaning object as a shape of its own: object coordinates are upright, as are all estimates.
+/// @param mesh  in the object's frame, turned by `lean`
+TrainingShape shapeOf(const SceneObject& object, const Mesh& mesh, const Eigen::Matrix3d& lean,
+                      int count, Random random) {
+  const Aabb box = bounds(mesh);
   TrainingShape shape;
   shape.family = object.subtype;
   shape.class_name = shapeFamily(object.subtype).class_name;
@@ -50,14 +59,14 @@ TrainingShape shapeOf(const SceneObject& object, const Aabb& box, int count, Ran
   double half = 0.5 * box.sizes().maxCoeff();
   if (shape.yaw_symmetry == 0) {
     half = 0.5 * box.sizes().z();
-    for (const Eigen::Vector3d& p : object.surface->mesh.vertices) {
+    for (const Eigen::Vector3d& p : mesh.vertices) {
       half = std::max(half, (p - center).head<2>().norm());
     }
   }
   shape.half_extent_m = static_cast<float>(half);
   const auto n = static_cast<std::size_t>(count);
   const std::size_t near = n / 2;
-  const SurfaceSamples surface = sampleSurface(object.surface->mesh, near, random.bits());
+  const SurfaceSamples surface = sampleSurface(mesh, near, random.bits());
   for (std::size_t i = 0; i < n; ++i) {
     Eigen::Vector3d p;
     if (i < near) {
@@ -71,8 +80,8 @@ TrainingShape shapeOf(const SceneObject& object, const Aabb& box, int count, Ran
     }
     p = p.cwiseMax(-1.6).cwiseMin(1.6);
     shape.points.push_back(p.cast<float>());
-    shape.distances.push_back(static_cast<float>(
-        std::clamp(object.shape->sdf->value(center + half * p) / half, -0.5, 0.5)));
+    shape.distances.push_back(static_cast<float>(std::clamp(
+        object.shape->sdf->value(lean.transpose() * (center + half * p)) / half, -0.5, 0.5)));
   }
   return shape;
 }
@@ -82,59 +91,18 @@ Shapes collectShapes(const Scene& scene, int sdf_points, Random random) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
     if (!object.scored || !object.shape) continue;
-    const Aabb box = bounds(object.surface->mesh);
+    const Eigen::Matrix3d lean = leanOf(object);
+    Transform turned = Transform::Identity();
+    turned.linear() = lean;
+    const Mesh mesh = transformed(turned, object.surface->mesh);
     result.of_object[static_cast<std::int32_t>(i)] =
         static_cast<std::uint32_t>(result.shapes.size());
-    result.shapes.push_back(shapeOf(object, box, sdf_points, random.fork(i)));
-    result.centers.push_back(object.T_world_object * box.center());
+    result.shapes.push_back(shapeOf(object, mesh, lean, sdf_points, random.fork(i)));
+    result.centers.push_back(object.T_world_object * (lean.transpose() * bounds(mesh).center()));
     const Eigen::Matrix3d R = object.T_world_object.linear();
     result.yaws.push_back(std::atan2(R(1, 0), R(0, 0)));
   }
   return result;
-}
-
-Camera drawCamera(int width, Random& random) {
-  Camera camera;
-  camera.width = width;
-  camera.height = width * 2 / 3;
-  camera.fx = camera.fy = width * random.uniform(0.5, 0.9);
-  camera.cx = 0.5 * camera.width;
-  camera.cy = 0.5 * camera.height;
-  return camera;
-}
-
-/// A camera in free space that looks towards some object, not always well.
-std::optional<Transform> drawPose(const ClearanceMap& clearance,
-                                  const std::vector<Eigen::Vector3d>& targets, Random& random) {
-  for (int attempt = 0; attempt < 40; ++attempt) {
-    const Eigen::Vector3d& target =
-        targets[random.index(static_cast<std::uint32_t>(targets.size()))];
-    const double distance = random.uniform(0.7, 4.2);
-    const double angle = random.uniform(-kPi, kPi);
-    const Eigen::Vector2d place =
-        target.head<2>() + distance * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    if (clearance.at(place) < 0.2) continue;
-    const double height =
-        random.chance(0.7) ? random.uniform(0.65, 0.95) : random.uniform(0.35, 1.6);
-    const double yaw = angle + kPi + radians(14) * random.normal();
-    const double to_target = std::atan2(height - target.z(), distance);
-    const double pitch = random.chance(0.6) ? radians(8 + 3 * random.normal())
-                                            : to_target + radians(6) * random.normal();
-    return cameraPose(place, height, yaw, std::clamp(pitch, radians(-15), radians(50)));
-  }
-  return std::nullopt;
-}
-
-/// The built-in camera's errors at half its resolution, more or less of them.
-DepthNoiseConfig drawNoise(Random& random) {
-  DepthNoiseConfig noise;
-  noise.lateral_px *= 0.5;
-  noise.correlation_px *= 0.5;
-  noise.disparity_step_px *= 0.5;
-  noise.axial_quadratic *= random.uniform(0.4, 2.5);
-  noise.edge_dropout = random.uniform(0, 0.8);
-  noise.grazing_start_deg = random.uniform(68, 86);
-  return noise;
 }
 
 MaskCorruptionConfig drawCorruption(Random& random) {
@@ -237,7 +205,7 @@ class ViewCollector {
 }  // namespace
 
 void read(ConfigReader& reader, TrainingWorldConfig& config) {
-  reader.choice("world", config.world, {"office", "quick"});
+  reader.choice("world", config.world, {"office", "quick", "street"});
   reader.field("frames", config.frames, {1, 100000});
   reader.field("max_views_per_shape", config.max_views_per_shape, {1, 100000});
   reader.field("sdf_points", config.sdf_points, {100, 1000000});
@@ -267,28 +235,43 @@ OfficeConfig trainingOffice(const TrainingWorldConfig& config, InstanceSplit spl
   return office;
 }
 
+StreetBlockConfig trainingStreet(InstanceSplit split) {
+  StreetBlockConfig street;
+  street.split = split;
+  return street;
+}
+
 TrainingWorld makeTrainingWorld(const TrainingWorldConfig& config, InstanceSplit split,
                                 std::uint64_t index) {
-  const Random random(trainingWorldSeed(split, index));
-  const auto scene = std::make_shared<const Scene>(
-      makeOffice(trainingOffice(config, split, index), trainingWorldSeed(split, index)));
+  const std::uint64_t seed = trainingWorldSeed(split, index);
+  const Random random(seed);
+  const bool outdoors = config.world == "street";
+  StreetBlock block;
+  if (outdoors) {
+    block = makeStreetBlock(trainingStreet(split), seed);
+  } else {
+    block.scene = makeOffice(trainingOffice(config, split, index), seed);
+  }
+  const std::shared_ptr<const Scene> scene(&block.scene, [](const Scene*) {});  // outlives it
   const Shapes shapes = collectShapes(*scene, config.sdf_points, random.fork(kShapeStream));
   const RgbdRenderer renderer(scene, {.with_overhead = true, .with_color = false});
-  const ClearanceMap clearance(*scene, 0.05, 1.2);
+  const TrainingViewsConfig wishes{config.image_width, config.max_depth_m, shapes.centers};
+  const std::unique_ptr<TrainingViews> views =
+      outdoors ? streetViews(block, wishes) : officeViews(*scene, wishes);
   TrainingWorld world;
   world.shapes = shapes.shapes;
   ViewCollector collector(config, *scene, shapes, world);
   for (int i = 0; i < config.frames; ++i) {
     Random frame = random.fork(kFrameStream).fork(static_cast<std::uint64_t>(i));
+    const std::optional<DrawnView> drawn = views->draw(frame);
+    if (!drawn) continue;
     ShapeObservation observation;
-    observation.camera = drawCamera(config.image_width, frame);
-    const std::optional<Transform> pose = drawPose(clearance, shapes.centers, frame);
-    if (!pose) continue;
-    observation.T_world_camera = *pose;
-    const RenderedView view = renderer.render(observation.camera, *pose);
-    observation.depth = noisyDepth(view, observation.camera, drawNoise(frame), frame.bits());
+    observation.camera = drawn->camera;
+    observation.T_world_camera = drawn->T_world_camera;
+    const RenderedView view = renderer.render(observation.camera, observation.T_world_camera);
+    observation.depth = noisyDepth(view, observation.camera, drawn->noise, frame.bits());
     for (float& depth : observation.depth) {
-      if (depth > config.max_depth_m) depth = 0;
+      if (depth > drawn->max_depth_m) depth = 0;
     }
     collector.add(view, std::move(observation), frame);
   }

@@ -15,6 +15,7 @@
 #include "core/shape/crisp/object_points.h"
 #include "eval/simulation/office_world.h"
 #include "eval/simulation/shape_family.h"
+#include "eval/simulation/street_block.h"
 
 namespace hydrabench {
 
@@ -47,10 +48,11 @@ struct TrainingWorld {
   std::vector<TrainingView> views;
 };
 
-/// How training worlds are made: offices of the built-in generator, other seeds, other instances,
-/// seen by cameras set down at random.
+/// How training worlds are made: offices of the built-in generator or streets, other seeds, other
+/// instances, seen by cameras set down at random.
 struct TrainingWorldConfig {
-  std::string world = "office";  ///< of OfficeConfig; "quick" is for tests and first tries
+  std::string world = "office";  ///< of OfficeConfig; "quick" is for tests and first tries;
+                                 ///< "street": hydrants, cars, benches (StreetBlock)
   int frames = 1500;             ///< rendered per world
   int max_views_per_shape = 64;  ///< so that no instance dominates
   int sdf_points = 12000;        ///< per instance
@@ -66,9 +68,11 @@ void read(ConfigReader& reader, TrainingWorldConfig& config);
 TrainingWorld makeTrainingWorld(const TrainingWorldConfig& config, InstanceSplit split,
                                 std::uint64_t index);
 
-/// What stands in a world: makeOffice(trainingOffice(...), trainingWorldSeed(...)).
+/// What stands in a world: makeOffice(trainingOffice(...), trainingWorldSeed(...)), or for "street"
+/// makeStreetBlock(trainingStreet(...), trainingWorldSeed(...)).
 OfficeConfig trainingOffice(const TrainingWorldConfig& config, InstanceSplit split,
                             std::uint64_t index);
+StreetBlockConfig trainingStreet(InstanceSplit split);
 
 /// Seed of the layout of a world; disjoint per split, and none below 2^61, where users' seeds are.
 std::uint64_t trainingWorldSeed(InstanceSplit split, std::uint64_t index);

@@ -89,5 +89,10 @@ std::vector<ShapeFamily> plantFamilies();
 std::vector<ShapeFamily> binFamilies();
 std::vector<ShapeFamily> computerFamilies();
 std::vector<ShapeFamily> furnitureFamilies();
+std::vector<ShapeFamily> hydrantFamilies();
+std::vector<ShapeFamily> carFamilies();
+std::vector<ShapeFamily> benchFamilies();
+std::vector<ShapeFamily> treeFamilies();
+std::vector<ShapeFamily> streetFamilies();  ///< lamp posts, bollards, signs
 
 }  // namespace hydrabench

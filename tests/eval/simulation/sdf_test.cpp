@@ -112,6 +112,24 @@ TEST(Extrusion, OfARectangleIsABox) {
   }
 }
 
+TEST(ConvexProfile, AgreesWithThePolygonInsideAndStaysBelowItOutside) {
+  const Polyline corners = {{-0.6, -0.3}, {0.5, -0.4}, {0.8, 0.1}, {0.1, 0.6}, {-0.5, 0.4}};
+  const SdfProfilePtr polygon = polygonProfile(corners);
+  const SdfProfilePtr convex = convexProfile(corners);
+  const SdfProfilePtr reversed = convexProfile(Polyline(corners.rbegin(), corners.rend()));
+  Random random(17);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector2d p(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
+    EXPECT_NEAR(reversed->value(p), convex->value(p), 1e-12);
+    if (polygon->value(p) <= 0) {
+      EXPECT_NEAR(convex->value(p), polygon->value(p), 1e-12);
+    } else {
+      EXPECT_GT(convex->value(p), 0);
+      EXPECT_LE(convex->value(p), polygon->value(p) + 1e-12);
+    }
+  }
+}
+
 TEST(Primitives, MeasureTheExactDistanceOutside) {
   expectExactOutside(*roundedBox({0, 0, 0}, {1, 0.6, 0.4}, 0.1), 1e-6);
   expectExactOutside(*ellipsoid({0, 0, 0}, {0.8, 0.4, 0.05}), 1e-5);
@@ -162,6 +180,8 @@ std::vector<NamedSdf> operatorsAndPrimitives() {
           {"frustum", frustum({0, 0, 0}, 0.5, 0.2, 0.6, 0.04)},
           {"stroke",
            extrusion(strokeProfile({{-0.5, 0}, {0, 0.3}, {0.5, 0}}, 0.04), Axis::kY, 0.5, 0.02)},
+          {"convex extrusion",
+           extrusion(convexProfile({{-0.5, 0}, {0, 0.6}, {0.7, 0}}), Axis::kY, 0.5, 0.02)},
           {"revolution", revolution(strokeProfile({{0.2, 0}, {0.4, 0.6}}, 0.03))},
           {"smooth union", smoothUnion(a, b, 0.2)},
           {"intersection", intersect(a, b)},

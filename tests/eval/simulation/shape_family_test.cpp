@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace hydrabench {
@@ -39,6 +41,18 @@ TEST(ShapeFamilies, CoverTheClassesOfTheOffice) {
   EXPECT_EQ(families_of_class["plant"], 2);
   EXPECT_EQ(families_of_class["bin"], 3);
   EXPECT_EQ(families_of_class["computer"], 6);
+}
+
+TEST(ShapeFamilies, OfStreetsFollowThoseOfRooms) {
+  EXPECT_EQ(indoorFamilies().data(), shapeFamilies().data());
+  EXPECT_EQ(indoorFamilies().size() + outdoorFamilies().size(), shapeFamilies().size());
+  EXPECT_EQ(indoorFamilies().back().name, "whiteboard");
+  std::map<std::string, int> families_of_class;
+  for (const ShapeFamily& family : outdoorFamilies()) ++families_of_class[family.class_name];
+  const std::map<std::string, int> expected = {{"fire_hydrant", 3}, {"car", 5},  {"bench", 3},
+                                               {"tree", 2},         {"pole", 1}, {"bollard", 1},
+                                               {"sign", 1}};
+  EXPECT_EQ(families_of_class, expected);
 }
 
 TEST(ShapeFamiliesDeathTest, AbortForANameThatDoesNotExist) {
@@ -94,6 +108,26 @@ TEST(ShapeInstance, IsTheUnionOfItsParts) {
       bool inside = false;
       for (const ShapePart& part : instance.parts) inside = inside || part.sdf->value(p) < 0;
       EXPECT_EQ(instance.sdf->value(p) < 0, inside) << family.name;
+    }
+  }
+}
+
+TEST(ShapeInstance, LooksTheSameAfterATurnThatItDeclares) {
+  for (const ShapeFamily& family : shapeFamilies()) {
+    for (std::uint64_t index = 0; index < 4; ++index) {
+      const ShapeInstance instance = drawn(family, index);
+      if (instance.yaw_symmetry == 1) continue;
+      // No front: any angle will do.
+      const double turn =
+          instance.yaw_symmetry == 0 ? 1.0 : 2 * std::numbers::pi / instance.yaw_symmetry;
+      const Eigen::AngleAxisd rotation(turn, Vector3d::UnitZ());
+      const Aabb box = instance.sdf->bounds();
+      Random random(index);
+      for (int i = 0; i < 200; ++i) {
+        const Vector3d p = randomPointIn(box, random);
+        ASSERT_NEAR(instance.sdf->value(rotation * p), instance.sdf->value(p), 1e-9)
+            << family.name << " at " << p.transpose();
+      }
     }
   }
 }

@@ -24,15 +24,27 @@ std::string faultOf(const std::string& yaml) {
   return messageOf<InputError>([&] { readConfig(yaml); });
 }
 
-TEST(CrispTrainingConfig, TheShippedFileIsValid) {
-  ConfigReader reader(
-      ConfigDocument::fromFile(HYDRABENCH_SOURCE_DIR "/configs/training/crisp_indoor.yaml"));
-  CrispTrainingConfig config;
-  read(reader, config);
-  EXPECT_NO_THROW(reader.finish());
-  double total = 0;
-  for (const auto& [name, weight] : config.class_weights) total += weight;
-  EXPECT_NEAR(total, 1, 1e-12);
+TEST(CrispTrainingConfig, TheShippedFilesAreValid) {
+  for (const char* file : {"crisp_indoor", "crisp_outdoor"}) {
+    ConfigReader reader(ConfigDocument::fromFile(
+        std::string(HYDRABENCH_SOURCE_DIR "/configs/training/") + file + ".yaml"));
+    CrispTrainingConfig config;
+    read(reader, config);
+    EXPECT_NO_THROW(reader.finish());
+    double total = 0;
+    for (const auto& [name, weight] : config.class_weights) total += weight;
+    EXPECT_NEAR(total, 1, 1e-12);
+    EXPECT_EQ(config.class_weights.size(), config.sdf_quantiles.size());
+  }
+}
+
+TEST(CrispTrainingConfig, StreetsHaveClassesOfTheirOwn) {
+  const CrispTrainingConfig street =
+      readConfig("worlds: {world: street}\nclass_weights: {car: 2}\n");
+  EXPECT_EQ(street.class_weights.at("car"), 2);
+  EXPECT_EQ(street.class_weights.count("chair"), 0u);
+  EXPECT_THAT(faultOf("worlds: {world: street}\nclass_weights: {chair: 2}\n"), HasSubstr("chair"));
+  EXPECT_THAT(faultOf("class_weights: {car: 2}\n"), HasSubstr("car"));
 }
 
 TEST(CrispTrainingConfig, ReadsNestedKeys) {

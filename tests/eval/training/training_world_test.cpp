@@ -199,5 +199,84 @@ TEST_F(TrainingWorldOfAScene, IsTrueToTheSceneAndTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(readText(folder_ / "other") == readText(folder_ / "train_000000.world"));
 }
 
+TrainingWorldConfig streetConfig() {
+  TrainingWorldConfig config = quickConfig();
+  config.world = "street";
+  config.max_depth_m = 12;
+  return config;
+}
+
+/// The first street on an incline of more than 4 %.
+std::uint64_t steepStreet() {
+  StreetBlockConfig empty;
+  empty.cars = empty.hydrants = empty.benches = empty.unscored = 0;
+  for (std::uint64_t index = 0;; ++index) {
+    const StreetBlock block = makeStreetBlock(empty, trainingWorldSeed(kTraining, index));
+    if (std::abs(block.slope_x) > 0.04) return index;
+  }
+}
+
+TEST(TrainingStreet, ShowsLeaningCarsAsShapesThatLean) {
+  const std::uint64_t index = steepStreet();
+  const TrainingWorld world = makeTrainingWorld(streetConfig(), kTraining, index);
+  const StreetBlock block =
+      makeStreetBlock(trainingStreet(kTraining), trainingWorldSeed(kTraining, index));
+  std::vector<const SceneObject*> objects;
+  for (const SceneObject& object : block.scene.objects) {
+    if (object.scored) objects.push_back(&object);
+  }
+  ASSERT_EQ(world.shapes.size(), objects.size());
+  std::set<std::string> classes;
+  for (const TrainingShape& shape : world.shapes) classes.insert(shape.class_name);
+  EXPECT_EQ(classes, (std::set<std::string>{"bench", "car", "fire_hydrant"}));
+
+  // Measured points of cars, turned back by the yaw alone, lie on the leaning car's surface, not on
+  // that of an upright one.
+  double leaning = 0;
+  double upright = 0;
+  double all = 0;
+  for (const TrainingView& view : world.views) {
+    const TrainingShape& shape = world.shapes[view.shape];
+    if (shape.class_name != "car") continue;
+    const SceneObject& car = *objects[view.shape];
+    const Eigen::Matrix3d back =
+        Eigen::AngleAxisd(-view.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d lean = back * car.T_world_object.linear();
+    const Eigen::Vector3d center = bounds(car.surface->mesh).center();
+    Aabb box;  // of the leaning car, in its upright frame
+    for (const Eigen::Vector3d& v : car.surface->mesh.vertices) box.extend(lean * v);
+    for (std::size_t i = 0; i < view.points.object.size(); ++i) {
+      if (!view.on_object[i]) continue;
+      const Eigen::Vector3d p =
+          back * (view.points.object[i] - view.center).cast<double>();  // from the box's centre
+      leaning += std::abs(car.shape->sdf->value(lean.transpose() * (box.center() + p))) < 0.06;
+      upright += std::abs(car.shape->sdf->value(center + p)) < 0.06;
+      ++all;
+    }
+  }
+  ASSERT_GT(all, 500);
+  EXPECT_GT(leaning / all, 0.8);
+  EXPECT_LT(upright, leaning - 0.05 * all);
+}
+
+TEST(TrainingStreet, IsOfItsSplit) {
+  EXPECT_EQ(trainingStreet(kTraining).split, kTraining);
+  EXPECT_EQ(trainingStreet(kValidation).split, kValidation);
+  StreetBlockConfig config;
+  config.hydrants = config.benches = config.unscored = 0;
+  config.cars = 3;
+  const auto heights = [&](InstanceSplit split) {
+    config.split = split;
+    std::set<double> result;
+    for (const SceneObject& object : makeStreetBlock(config, 5).scene.objects) {
+      result.insert(object.shape->sdf->bounds().max().z());
+    }
+    return result;
+  };
+  EXPECT_EQ(heights(kTraining).size(), 3u);
+  EXPECT_EQ(heights(kTraining), heights(kTraining));
+  EXPECT_NE(heights(kTraining), heights(kValidation));
+}
+
 }  // namespace
 }  // namespace hydrabench
