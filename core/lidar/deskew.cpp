@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/lidar/deskew.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -31,6 +32,19 @@ std::vector<Eigen::Vector3f> deskewed(const LidarScan& scan) {
       },
       kGrain);
   return points;
+}
+
+std::vector<Eigen::Vector3f> levelled(const std::vector<Eigen::Vector3f>& points,
+                                      const Transform& T_world_points) {
+  const Eigen::Matrix3f R =
+      Eigen::Quaterniond::FromTwoVectors(
+          T_world_points.linear().transpose() * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ())
+          .toRotationMatrix()
+          .cast<float>();
+  std::vector<Eigen::Vector3f> level(points.size());
+  std::transform(points.begin(), points.end(), level.begin(),
+                 [&](const Eigen::Vector3f& p) -> Eigen::Vector3f { return R * p; });
+  return level;
 }
 
 }  // namespace hydrabench

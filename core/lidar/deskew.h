@@ -13,4 +13,9 @@ namespace hydrabench {
 /// thousandth of the sweep: 0.05 mm at 1 m/s and 10 Hz.
 std::vector<Eigen::Vector3f> deskewed(const LidarScan& scan);
 
+/// Rotated, not moved, so that the world's z axis points up: what ground segmenters ask for.
+/// @param points  in the frame of T_world_points
+std::vector<Eigen::Vector3f> levelled(const std::vector<Eigen::Vector3f>& points,
+                                      const Transform& T_world_points);
+
 }  // namespace hydrabench

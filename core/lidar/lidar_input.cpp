@@ -14,24 +14,6 @@
 #include "core/types/error.h"
 
 namespace hydrabench {
-namespace {
-
-/// Rotated, not moved, so that z is up: what ground segmenters ask for.
-std::vector<Eigen::Vector3f> levelled(const std::vector<Eigen::Vector3f>& points,
-                                      const Transform& T_world_points) {
-  const Eigen::Matrix3f R =
-      Eigen::Quaterniond::FromTwoVectors(
-          T_world_points.linear().transpose() * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ())
-          .toRotationMatrix()
-          .cast<float>();
-  std::vector<Eigen::Vector3f> level(points.size());
-  std::transform(points.begin(), points.end(), level.begin(),
-                 [&](const Eigen::Vector3f& p) -> Eigen::Vector3f { return R * p; });
-  return level;
-}
-
-}  // namespace
-
 LidarInput::Config::Config() {
   ground.patchwork = Patchwork::Config::forSensor("vlp16");
   integrator.max_range_difference_m = 0.75;

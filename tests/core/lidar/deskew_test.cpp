@@ -55,5 +55,15 @@ TEST(Deskew, LeavesPointsAloneThatHaveNoTimeOrNoReturn) {
   EXPECT_EQ(deskewed(scan), scan.points);
 }
 
+TEST(Levelled, TurnsTheWorldsUpwardAxisUpAndNothingElse) {
+  Transform T_world_points = Transform::Identity();
+  T_world_points.translation() = Eigen::Vector3d(3, 4, 5);
+  T_world_points.rotate(Eigen::AngleAxisd(0.2, Eigen::Vector3d(0.6, 0.8, 0)));
+  const Eigen::Vector3d up = T_world_points.linear().transpose() * Eigen::Vector3d::UnitZ();
+  const auto level = levelled({(2 * up).cast<float>(), {0.6f, 0.8f, 0}}, T_world_points);
+  EXPECT_LT((level[0] - Eigen::Vector3f(0, 0, 2)).norm(), 1e-6);
+  EXPECT_LT((level[1] - Eigen::Vector3f(0.6f, 0.8f, 0)).norm(), 1e-6);  // the axis of the tilt
+}
+
 }  // namespace
 }  // namespace hydrabench
