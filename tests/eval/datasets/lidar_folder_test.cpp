@@ -10,6 +10,7 @@
 #include "core/parallel/parallel_for.h"
 #include "core/types/error.h"
 #include "eval/datasets/folder_export.h"
+#include "eval/datasets/lidar_files.h"
 #include "eval/datasets/open_dataset.h"
 #include "eval/simulation/lidar_pattern.h"
 #include "tests/eval/datasets/toy_lidar_dataset.h"
@@ -25,7 +26,8 @@ using ::testing::HasSubstr;
 void expectSamePoints(const std::vector<Eigen::Vector3f>& a,
                       const std::vector<Eigen::Vector3f>& b) {
   ASSERT_EQ(a.size(), b.size());
-  if (!a.empty()) EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])), 0);
+  if (a.empty()) return;
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])), 0);
 }
 
 void expectSameScans(const Frame& a, const Frame& b) {

@@ -48,13 +48,14 @@ TEST(OpenDataset, AMissingTypeListsAllTypes) {
   EXPECT_EQ(
       faultOf("seed: 3\n"),
       "d.yaml: type: missing, expected one of: simulated, folder, placed_meshes, mesh_gallery, "
-      "seven_scenes, apc2016");
+      "seven_scenes, apc2016, kitti_raw");
 }
 
 TEST(OpenDataset, AnUnknownTypeSuggestsOne) {
-  EXPECT_EQ(faultOf("type: simulatd\nseed: 3\n"),
-            "d.yaml:1: type: 'simulatd' is unknown, expected one of: simulated, folder, "
-            "placed_meshes, mesh_gallery, seven_scenes, apc2016; did you mean simulated?");
+  EXPECT_EQ(
+      faultOf("type: simulatd\nseed: 3\n"),
+      "d.yaml:1: type: 'simulatd' is unknown, expected one of: simulated, folder, "
+      "placed_meshes, mesh_gallery, seven_scenes, apc2016, kitti_raw; did you mean simulated?");
 }
 
 TEST(OpenDataset, KeysOfOtherTypesAreUnknown) {
