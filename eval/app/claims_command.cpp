@@ -17,8 +17,6 @@
 namespace hydrabench {
 namespace {
 
-constexpr const char* kDefaultClaims = "configs/claims.yaml";
-
 struct Options {
   std::vector<std::filesystem::path> results;
   std::filesystem::path claims = kDefaultClaims;

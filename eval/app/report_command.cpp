@@ -12,6 +12,7 @@
 #include "core/types/error.h"
 #include "eval/app/app.h"
 #include "eval/app/progress.h"
+#include "eval/claims/claim.h"
 #include "eval/report/comparison_table.h"
 #include "eval/report/html/html_report.h"
 #include "eval/report/result_folder.h"
@@ -28,6 +29,7 @@ struct Options {
   bool variants = false;
   std::string against;
   double max_mb = HtmlReportOptions().max_mb;
+  std::filesystem::path claims;
 };
 
 std::string render(const ComparisonTable& table, const std::string& format, bool color) {
@@ -69,6 +71,8 @@ int reportHtml(const Options& options) {
   std::optional<Progress> progress;
   HtmlReportOptions html;
   html.max_mb = options.max_mb;
+  html.claims = options.claims;
+  if (html.claims.empty() && std::filesystem::exists(kDefaultClaims)) html.claims = kDefaultClaims;
   html.on_step = [&](std::size_t, std::size_t total) {
     if (!progress) progress.emplace("report", total);
     progress->advance();
@@ -132,6 +136,9 @@ Command addReport(CLI::App& app) {
                  "html: size to keep below [10^6 bytes], by coarser scenes")
       ->check(CLI::Range(1.0, 2000.0))
       ->capture_default_str();
+  app.add_option("--claims", options->claims,
+                 fmt::format("html: claims to judge; {} where it is there", kDefaultClaims))
+      ->type_name("FILE");
   return [options] { return report(*options); };
 }
 

@@ -43,6 +43,9 @@ struct Claim {
   std::vector<Predicate> needs;
 };
 
+/// The paper's claims, seen from the top of a clone of hydrabench.
+inline constexpr const char* kDefaultClaims = "configs/claims.yaml";
+
 /// Reads a list of claims (configs/claims.yaml shows every key). Throws InputError naming file,
 /// line, key and what was expected.
 std::vector<Claim> readClaims(const std::filesystem::path& path);

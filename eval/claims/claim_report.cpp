@@ -89,6 +89,10 @@ std::string claimsJson(const std::vector<JudgedClaim>& claims) {
       json["what"] = finding.what;
       if (finding.difference) json["difference"] = *finding.difference;
       if (finding.interval) json["ci95"] = {finding.interval->low, finding.interval->high};
+      if (!finding.relation.empty()) {
+        json["relation"] = finding.relation;
+        json["bound"] = finding.bound;
+      }
       findings.push_back(std::move(json));
     }
     all.push_back({{"name", judged.claim.name},

@@ -43,6 +43,12 @@ Finding notRun(const Evidence& evidence, std::string why) {
   return finding;
 }
 
+/// What verdictOf() asks for, for the reader.
+void setBound(const Predicate& predicate, Finding& finding) {
+  finding.relation = predicate.strictly ? ">" : ">=";
+  finding.bound = predicate.strictly ? predicate.margin : -predicate.margin + 0.0;  // no -0
+}
+
 Finding found(const Evidence& evidence, const Predicate& predicate,
               const std::optional<PairedComparison>& comparison, double sign, std::string what) {
   Finding finding = notRun(evidence, std::move(what));
@@ -55,6 +61,7 @@ Finding found(const Evidence& evidence, const Predicate& predicate,
   finding.interval = {sign * comparison->interval.low + 0.0,
                       sign * comparison->interval.high + 0.0};
   if (sign < 0) std::swap(finding.interval->low, finding.interval->high);
+  setBound(predicate, finding);
   finding.verdict = verdictOf(predicate, *finding.interval);
   return finding;
 }
@@ -235,6 +242,7 @@ class Judge {
       finding.difference = 0;
       finding.interval = Interval{};
       finding.verdict = verdictOf(predicate, Interval{});
+      setBound(predicate, finding);
       return finding;
     }
     const auto count = [&](ClaimVerdict verdict) {
@@ -295,6 +303,8 @@ class Judge {
                               methodLabel(predicate.method), factors.size(),
                               factors.size() == 1 ? "" : "s", predicate.at_hz, *least, *most));
     finding.interval = Interval{*least, *most};
+    finding.relation = predicate.keeps ? ">=" : "<";
+    finding.bound = 1;
     const bool all_keep = *least >= 1;
     const bool none_keeps = *most < 1;
     finding.verdict = all_keep == none_keeps        ? ClaimVerdict::kUndecided

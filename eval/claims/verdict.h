@@ -30,6 +30,10 @@ struct Finding {
   /// real_time the least and the largest multiple of real time over worlds.
   std::optional<double> difference;
   std::optional<Interval> interval;
+  /// "holds" where all of the interval is above, at least or below the bound: ">", ">=", "<"; empty
+  /// where nothing was compared.
+  std::string relation;
+  double bound = 0;
 };
 
 struct JudgedClaim {

@@ -12,6 +12,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
+#include "eval/claims/claim_report.h"
 #include "eval/experiment/provenance.h"
 #include "eval/experiment/result_worlds.h"
 #include "eval/report/html/csv_json.h"
@@ -48,6 +49,7 @@ class Writer {
                                    result_.string(), kResultMarker));
     }
     addScores();
+    addClaims();
     const ObjectTable objects = readObjectTable(result_ / "objects.csv");
     add("objects", objectsJson(objects));
     addWorlds(objects);
@@ -84,6 +86,21 @@ class Writer {
     add("significance", csvJson(result_ / "significance.csv"));
     add("strata", csvJson(result_ / "strata.csv"));
     add("kappa", kappaJson(result_));
+  }
+
+  /// Nothing where no claim is about what was run here; sweeps are no evidence.
+  void addClaims() {
+    std::vector<JudgedClaim> judged;
+    if (!options_.claims.empty() && !methods_.empty()) {
+      std::vector<Evidence> evidence = readEvidence({result_});
+      // There is only this one, and a page that is handed on does not tell where it lay.
+      for (Evidence& of_dataset : evidence) of_dataset.result.clear();
+      judged = judge(readClaims(options_.claims), evidence);
+    }
+    const bool any = std::any_of(judged.begin(), judged.end(), [](const JudgedClaim& claim) {
+      return claim.verdict != ClaimVerdict::kNotRun;
+    });
+    add("claims", any ? claimsJson(judged) : "null");
   }
 
   void addWorlds(const ObjectTable& objects) {

@@ -3,6 +3,7 @@
 #
 # Run by the build: bundles SOURCE (web/) in BUILD with the programs NPM and ESBUILD and writes BUILD/web_assets.cpp, which embeds the
 # result; or, where something is missing, one that says what, and BUILD/missing.txt.
+set(oldest_esbuild 0.17)  # Debian 12's; nobody tried older ones
 set(licenses "")
 
 function(write_if_changed path content)
@@ -40,6 +41,11 @@ foreach(program IN ITEMS NPM ESBUILD)
     return()
   endif()
 endforeach()
+execute_process(COMMAND ${ESBUILD} --version OUTPUT_VARIABLE esbuild_version OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(esbuild_version VERSION_LESS oldest_esbuild)
+  give_up("esbuild ${esbuild_version} is too old, ${oldest_esbuild} or later is needed; install it, configure and build again")
+  return()
+endif()
 
 # Packages are installed anew only when the lock file changes.
 file(SHA256 ${SOURCE}/package-lock.json lock)
@@ -59,9 +65,22 @@ if(NOT installed STREQUAL lock)
   file(WRITE ${BUILD}/installed.txt ${lock})
 endif()
 
+# What is in the bundle, and what made it: esbuild comes from the system, so its version can differ between builds of one commit.
+set(packages "")
+foreach(package IN ITEMS three uplot)
+  file(READ ${BUILD}/node_modules/${package}/package.json description)
+  string(JSON version GET "${description}" version)
+  file(READ ${BUILD}/node_modules/${package}/LICENSE license)
+  string(APPEND licenses "${package} ${version}\n\n${license}\n\n")
+  list(APPEND packages "${package} ${version}")
+endforeach()
+list(JOIN packages ", " packages)
+file(WRITE ${BUILD}/licenses.txt "${licenses}")
+
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=${BUILD}/node_modules
     ${ESBUILD} ${SOURCE}/main.js --bundle --minify --format=iife --target=es2020 --charset=utf8 --legal-comments=eof
+    "--banner:js=/* Front end of hydrabench's reports with ${packages}, bundled by esbuild ${esbuild_version}. */"
     --outfile=${BUILD}/report.js
   OUTPUT_FILE ${BUILD}/esbuild.log ERROR_FILE ${BUILD}/esbuild.log RESULT_VARIABLE failed)
 if(failed)
@@ -73,13 +92,6 @@ file(READ ${BUILD}/node_modules/uplot/dist/uPlot.min.css library_style)
 file(READ ${SOURCE}/style.css style)
 file(WRITE ${BUILD}/report.css "${library_style}\n${style}")
 file(COPY ${SOURCE}/page.html DESTINATION ${BUILD})
-foreach(package IN ITEMS three uplot)
-  file(READ ${BUILD}/node_modules/${package}/package.json description)
-  string(JSON version GET "${description}" version)
-  file(READ ${BUILD}/node_modules/${package}/LICENSE license)
-  string(APPEND licenses "${package} ${version}\n\n${license}\n\n")
-endforeach()
-file(WRITE ${BUILD}/licenses.txt "${licenses}")
 
 # The assembler takes the files in; a time in the source makes sure that the compiler runs again (and no cache answers for it).
 set(assembly "")

@@ -311,6 +311,8 @@ TEST(ClaimReport, SaysVerdictAndNumbersInEveryFormat) {
   const auto json = nlohmann::json::parse(claimsJson(judged));
   EXPECT_EQ(json[0]["verdict"], "holds");
   EXPECT_NEAR(json[0]["findings"][0]["difference"].get<double>(), 40.0 / 60, 1e-12);
+  EXPECT_EQ(json[0]["findings"][0]["relation"], ">");
+  EXPECT_EQ(json[0]["findings"][0]["bound"], 0);
 }
 
 }  // namespace

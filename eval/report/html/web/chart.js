@@ -7,7 +7,8 @@ import {onTheme} from "./theme.js";
 
 /**
  * A line chart. Curves: {label, color() -> css colour, dash, points: [[x, y]], band: [[x, low, high]], steps}. With steps a value holds
- * until the next point. Colours are asked for again when the theme changes.
+ * until the next point. Colours are asked for again when the theme changes. Call destroy() before another takes its place: until then the
+ * theme, the other charts of `sync` and the browser know it.
  */
 export function chart({title, xLabel, yLabel = "", xRange, yRange = [0, 1], curves, height = 270, sync, oncursor}) {
   const box = h("figure", {class: "chart"}, h("figcaption", {}, title));
@@ -45,9 +46,15 @@ export function chart({title, xLabel, yLabel = "", xRange, yRange = [0, 1], curv
     plot = new uPlot(options(width), aligned, holder);
   }
 
-  new ResizeObserver(draw).observe(holder);
-  onTheme(draw);
-  return {element: box, redraw: draw};
+  const observer = new ResizeObserver(draw);
+  observer.observe(holder);
+  const forget = onTheme(draw);
+  const destroy = () => {
+    observer.disconnect();
+    forget();
+    plot?.destroy();
+  };
+  return {element: box, destroy};
 }
 
 function withAlpha(color, alpha) {

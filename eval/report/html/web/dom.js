@@ -15,14 +15,24 @@ export function h(tag, attributes = {}, ...children) {
   return element;
 }
 
+/**
+ * Other children for an element. The focus stays on the control that had it: the new one of the same data-name, which is unique within
+ * what is filled; where there is none, on the element, so that Tab goes on from there.
+ */
 export function fill(element, ...children) {
+  const focused = element.contains(document.activeElement) && element !== document.activeElement ? document.activeElement : null;
   element.replaceChildren(...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false));
+  if (focused) {
+    const same = focused.dataset.name && [...element.querySelectorAll("[data-name]")].find((control) => control.dataset.name === focused.dataset.name);
+    if (!same) element.tabIndex = -1;
+    (same || element).focus({preventScroll: true});
+  }
   return element;
 }
 
 /** A labelled drop-down. Options are [value, text] pairs. */
 export function select(label, options, value, onchange) {
-  const box = h("select", {onchange: (event) => onchange(event.target.value)},
+  const box = h("select", {"data-name": label, onchange: (event) => onchange(event.target.value)},
     options.map(([key, text]) => h("option", {value: key, selected: key === value}, text)));
   box.value = value;
   return h("label", {class: "field"}, h("span", {}, label), box);
@@ -32,11 +42,11 @@ export function select(label, options, value, onchange) {
 export function choice(label, options, value, onchange) {
   return h("div", {class: "field", role: "group", "aria-label": label}, h("span", {}, label),
     h("div", {class: "segments"}, options.map(([key, text, title]) => h("button", {
-      type: "button", title, "aria-pressed": String(key === value), onclick: () => onchange(key)}, text))));
+      type: "button", title, "data-name": label + " " + key, "aria-pressed": String(key === value), onclick: () => onchange(key)}, text))));
 }
 
 export function checkbox(text, checked, onchange, swatch = null) {
-  return h("label", {class: "check"}, h("input", {type: "checkbox", checked, onchange: (event) => onchange(event.target.checked)}), swatch, h("span", {}, text));
+  return h("label", {class: "check"}, h("input", {type: "checkbox", "data-name": text, checked, onchange: (event) => onchange(event.target.checked)}), swatch, h("span", {}, text));
 }
 
 export function copyButton(text, what) {

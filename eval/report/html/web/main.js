@@ -4,6 +4,7 @@ import {json} from "./data.js";
 import {fill, h} from "./dom.js";
 import * as state from "./state.js";
 import {startTheme, themeButton} from "./theme.js";
+import {claimsTab} from "./tabs/claims.js";
 import {objectsTab} from "./tabs/objects.js";
 import {sceneTab} from "./tabs/scene.js";
 import {setupTab} from "./tabs/setup.js";
@@ -14,6 +15,7 @@ import {timingTab} from "./tabs/timing.js";
 const kTabs = [
   ["table", "Table", tableTab],
   ["thresholds", json("sweep") ? "Sweep" : "Thresholds", thresholdsTab],
+  ...(json("claims") ? [["claims", "Claims", claimsTab]] : []),
   ["objects", "Objects", objectsTab],
   ["scene", "Scene", sceneTab],
   ["timing", "Timing", timingTab],
@@ -55,7 +57,10 @@ function start() {
       main.append(page);
       pages.set(key, {page, tab: kTabs.find(([name]) => name === key)[2](page)});
     }
+    const focus = main.contains(document.activeElement);
     for (const [name, {page}] of pages) page.hidden = name !== key;
+    // A link of a page that is hidden now had it.
+    if (focus && !pages.get(key).page.contains(document.activeElement)) document.getElementById("tab-" + key).focus();
     pages.get(key).tab?.onshow?.();
   }
 

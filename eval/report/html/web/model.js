@@ -33,6 +33,16 @@ export function worldControl() {
   return keys.length > 1 && select("world", keys.map((key) => [key, key.replace("/", ", seed ")]), chosenWorld(), (world) => state.set({world, object: null}));
 }
 
+/** How a thing is called in the URL, wherever it is listed: a name may stand for several, in one world or in different ones. */
+export const truthKey = (world, truth) => world + "/" + truth.id;
+export const estimateKey = (world, method, estimate) => world + "/" + method + "/" + estimate.id;
+
+/** Names to show: where several of a world have the same one, with the id. */
+export function shownNames(truths) {
+  const names = truths.map((truth) => truth.name || truth.id);
+  return names.map((name, i) => (names.indexOf(name) === names.lastIndexOf(name) ? name : name + " #" + truths[i].id));
+}
+
 /** @param narrow  two drop-downs that fit beside each other */
 export function settingControls(narrow = false) {
   const settings = objects().settings;

@@ -31,18 +31,17 @@ export function sortableTable({columns, rows, sort, descending = false, caption,
     fill(head, columns.map((column) => h("th", {
       scope: "col", class: column.numeric ? "num" : "", title: column.hint, style: column.width ? "width:" + column.width : null,
       "aria-sort": column.key === key ? (down ? "descending" : "ascending") : "none",
-    }, h("button", {type: "button", onclick: () => {
+    }, h("button", {type: "button", "data-name": "sort " + column.key, onclick: () => {
       down = column.key === key ? !down : Boolean(column.descendingFirst);
       key = column.key;
       draw();
-      head.querySelectorAll("button")[columns.indexOf(column)].focus();
     }}, column.title))));
     const ordered = sorted();
     fill(body, ordered.slice(0, shown).map((row) => h("tr", {
       class: rowClass?.(row), onclick: onrow && ((event) => event.target.closest("a") || onrow(row)),
     }, columns.map((column, i) => h(i === 0 ? "th" : "td", {scope: i === 0 ? "row" : null, class: (column.numeric ? "num " : "") + (column.cellClass?.(row) ?? "")},
       column.show ? column.show(row) : String(column.value(row) ?? ""))))));
-    fill(foot, ordered.length > shown && h("button", {type: "button", onclick: () => { shown = Infinity; draw(); }},
+    fill(foot, ordered.length > shown && h("button", {type: "button", onclick: () => { shown = Infinity; draw(); body.rows[limit].querySelector("a")?.focus(); }},
       "Show all " + ordered.length + " rows"));
   }
 

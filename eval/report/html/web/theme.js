@@ -8,7 +8,11 @@ const listeners = new Set();
 const system = matchMedia("(prefers-color-scheme: dark)");
 
 export const isDark = () => (state.get("theme") || (system.matches ? "dark" : "light")) === "dark";
-export const onTheme = (listener) => listeners.add(listener);
+/** Calls back when it changes, until what is returned is called. */
+export function onTheme(listener) {
+  listeners.add(listener);
+  return () => listeners.delete(listener);
+}
 
 function apply() {
   document.documentElement.dataset.theme = isDark() ? "dark" : "light";

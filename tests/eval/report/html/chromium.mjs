@@ -7,6 +7,9 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 
+/** Without a number Chromium tells the page of a key and does nothing itself. */
+const kKeyCodes = {Enter: 13, Escape: 27, " ": 32, ArrowUp: 38, ArrowDown: 40};
+
 export class Chromium {
   static async start(program) {
     const browser = new Chromium(program);
@@ -72,8 +75,12 @@ export class Chromium {
     for (const type of ["mousePressed", "mouseReleased"]) await this.call("Input.dispatchMouseEvent", {type, x, y, button: "left", clickCount: 1});
   }
 
+  /** Presses a key: a character, or one that kKeyCodes names. */
   async key(key) {
-    for (const type of ["keyDown", "keyUp"]) await this.call("Input.dispatchKeyEvent", {type, key, text: type === "keyDown" && key.length === 1 ? key : undefined});
+    const text = key === "Enter" ? "\r" : key.length === 1 ? key : undefined;
+    for (const type of ["keyDown", "keyUp"]) {
+      await this.call("Input.dispatchKeyEvent", {type, key, code: key, windowsVirtualKeyCode: kKeyCodes[key], text: type === "keyDown" ? text : undefined});
+    }
   }
 
   async screenshot(file) {

@@ -69,6 +69,33 @@ TEST_F(HtmlReportTest, ASweepHasItsPlotsAndItsTable) {
   EXPECT_TRUE(has(text, R"("x_label":"voxel size [m]")"));
 }
 
+TEST_F(HtmlReportTest, ClaimsAreJudgedWhereTheResultSaysAnythingToOne) {
+  const std::string claim =
+      "claims:\n  - {name: n, says: s, source: p, needs: [{type: scene, metric: hole_area, "
+      "lower_is_better: true, method: hydra, better_than: [other]}]}\n";
+  writeText(folder_ / "claims.yaml", claim);
+  ScoreRow mine = row("hydra", 0.5);
+  mine.metric = "hole_area";
+  mine.ci95_low = 0.4;
+  mine.ci95_high = 0.6;
+  HtmlReportOptions options;
+  options.claims = folder_ / "claims.yaml";
+  writeText(folder_ / "scores.csv", scoresCsv({mine}));
+  EXPECT_TRUE(has(htmlReport(folder_.path(), options).page, R"(id="claims">null<)"));
+
+  ScoreRow other = mine;
+  other.method = "other";
+  other.value = 2;
+  other.ci95_low = 1.9;
+  other.ci95_high = 2.1;
+  writeText(folder_ / "scores.csv", scoresCsv({mine, other}));
+  const std::string text = htmlReport(folder_.path(), options).page;
+  EXPECT_TRUE(has(text, R"("verdict": "holds")"));
+  // A page that is handed on does not tell where it was made.
+  EXPECT_FALSE(has(text, folder_.path().string()));
+  EXPECT_TRUE(has(page(), R"(id="claims">null<)"));
+}
+
 TEST_F(HtmlReportTest, AFolderOfSomethingElseIsRefused) {
   try {
     page();

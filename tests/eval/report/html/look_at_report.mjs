@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // node look_at_report.mjs CHROMIUM REPORT.html FOLDER: opens a report from disk without network, goes through it as a reader would and writes
-// pictures of it. Exit code 1 and a line per fault.
+// pictures of it. The report has two worlds, hydra and oracle_shape, and claims of which one was not run. Exit code 1 and a line per fault.
 import {Chromium} from "./chromium.mjs";
+import {kCountOnCard, matchedBy, theCharts, theFocus, theMatchings, theMemory, theSameNames, theWorlds} from "./report_habits.mjs";
 import fs from "node:fs";
 import path from "node:path";
 
@@ -40,12 +41,15 @@ try {
   for (const domain of ["Runtime", "Log", "Page", "Network"]) await browser.call(domain + ".enable");
   await browser.call("Network.emulateNetworkConditions", {offline: true, latency: 0, downloadThroughput: 0, uploadThroughput: 0});
   await browser.call("Emulation.setDeviceMetricsOverride", {width: 1280, height: 800, deviceScaleFactor: 1, mobile: false});
-  await browser.call("Page.navigate", {url: "file://" + path.resolve(report)});
-  await browser.until("document.querySelectorAll('[role=tab]').length === 6");
+  await browser.call("Page.addScriptToEvaluateOnNewDocument", {source: kCountOnCard});
+  await open(report);
   for (const theme of ["light", "dark"]) await everyTab(theme);
   await theTable();
   await theObjects();
   await theScene();
+  await theClaims();
+  const look = {browser, check, go, open, report};
+  for (const habit of [theFocus, theWorlds, theMatchings, theMemory, theCharts, theSameNames]) await habit(look);
 } catch (error) {
   faults.push(error.message);
 }
@@ -59,8 +63,13 @@ async function go(hash) {
   await new Promise((resolve) => setTimeout(resolve, 300));
 }
 
+async function open(file) {
+  await browser.call("Page.navigate", {url: "file://" + path.resolve(file)});
+  await browser.until("document.querySelectorAll('[role=tab]').length === 7");
+}
+
 async function everyTab(theme) {
-  for (const tab of ["table", "thresholds", "objects", "scene", "timing", "setup"]) {
+  for (const tab of ["table", "thresholds", "claims", "objects", "scene", "timing", "setup"]) {
     await go("tab=" + tab + "&theme=" + theme);
     await browser.until("!document.getElementById('page-" + tab + "').hidden && document.getElementById('page-" + tab + "').textContent.length > 20");
     if (tab === "scene") await browser.until("document.querySelectorAll('.list li').length > 0");
@@ -95,6 +104,7 @@ async function theObjects() {
   await browser.evaluate("{const box = document.getElementById('object-filter'); box.value = 'chair'; box.dispatchEvent(new Event('input', {bubbles: true}));}");
   const some = await browser.evaluate(count);
   check(some > 0 && some < all, "the filter leaves " + some + " of " + all + " rows");
+  await browser.evaluate("{const box = document.getElementById('object-filter'); box.value = ''; box.dispatchEvent(new Event('input', {bubbles: true}));}");
   // From a row to the same object in the scene.
   const name = await browser.evaluate("document.querySelector('#page-objects tbody a').textContent");
   await browser.evaluate("document.querySelector('#page-objects tbody a').click()");
@@ -140,9 +150,17 @@ async function theScene() {
 
   // The view with its masks, of a method that estimates shapes.
   await go("tab=scene&theme=light&method=oracle_shape");
-  const object = await browser.evaluate("(() => { const world = JSON.parse(document.getElementById('scene').textContent).worlds[0]; const method = world.methods.find((m) => m.method === 'oracle_shape'); return world.truths[method.matches[0].truth].name; })()");
-  await go("tab=scene&theme=light&method=oracle_shape&object=" + object);
+  await go("tab=scene&theme=light&method=oracle_shape&object=" + encodeURIComponent(await matchedBy(browser, "oracle_shape")));
   await browser.until("document.querySelector('.view canvas')?.width > 100");
   await new Promise((resolve) => setTimeout(resolve, 800));
   await browser.screenshot(path.join(folder, "best_view.png"));
+}
+
+async function theClaims() {
+  await go("tab=claims&theme=light");
+  const verdicts = await browser.evaluate("[...document.querySelectorAll('#page-claims > .claim')].map((claim) => claim.querySelector('h2').textContent)");
+  check(JSON.stringify(verdicts) === JSON.stringify(["holdsTrue shapes have the best box IoUTest", "failsTrue shapes have the worst box IoUTest"]), "claims: " + verdicts);
+  const row = await browser.evaluate("document.querySelector('#page-claims .claim tbody tr').textContent");
+  check(/^holdsb_iou of the found at 0.5 m, .*: Oracle shape .*, Hydra .*\+0\.\d+\+0\.\d+ to \+0\.\d+> 0$/.test(row), "claims: the comparison reads " + row);
+  check(await browser.evaluate("!document.querySelector('#page-claims details').open && document.querySelectorAll('#page-claims details .claim').length === 1"), "claims: what was not run is not folded");
 }

@@ -30,15 +30,19 @@ class ReportCommand : public ::testing::Test {
     } catch (const InputError& error) {
       GTEST_SKIP() << error.what();
     }
+  }
+
+  /// A result of small pictures, in the folder "result".
+  void makeResult(const std::string& seeds) {
     const fs::path configs = fs::path(HYDRABENCH_SOURCE_DIR) / "configs";
     writeText(folder_ / "small.yaml",
-              fmt::format("datasets:\n  - config: {0}/datasets/office_quick.yaml\n"
+              fmt::format("datasets:\n  - config: {0}/datasets/office_quick.yaml\n    seeds: {1}\n"
                           "    set: [camera.width_px=180, camera.height_px=120, camera.fx_px=104, "
                           "camera.fy_px=104, camera.cx_px=90, camera.cy_px=60]\n"
                           "methods:\n  - config: {0}/methods/hydra.yaml\n"
                           "  - config: {0}/methods/oracle_shape.yaml\n"
                           "evaluation: {{samples: 300, bootstrap_resamples: 20}}\n",
-                          configs.string()));
+                          configs.string(), seeds));
     ASSERT_EQ(run("run small.yaml --out result"), 0) << readText(folder_ / "err.txt");
   }
 
@@ -53,6 +57,7 @@ class ReportCommand : public ::testing::Test {
 };
 
 TEST_F(ReportCommand, KeepsToItsSizeByCoarserScenesAndSaysSo) {
+  makeResult("[1]");
   ASSERT_EQ(run("report result --format html"), 0) << readText(folder_ / "err.txt");
   const std::string first = readText(folder_ / "result/report.html");
   ASSERT_EQ(run("report result --format html --out again.html"), 0);
@@ -73,7 +78,23 @@ TEST_F(ReportCommand, ShowsEverythingInABrowserWithoutNetwork) {
       GTEST_SKIP() << program << " is not installed (scripts/setup --ci installs it)";
     }
   }
-  ASSERT_EQ(run("report result --format html"), 0) << readText(folder_ / "err.txt");
+  makeResult("[1, 2]");
+  writeText(folder_ / "claims.yaml", R"(claims:
+  - name: best
+    says: True shapes have the best box IoU
+    source: Test
+    needs: [{metric: b_iou, tau_m: 0.5, method: oracle_shape, better_than: [hydra]}]
+  - name: worst
+    says: True shapes have the worst box IoU
+    source: Test
+    needs: [{metric: b_iou, tau_m: 0.5, method: hydra, better_than: [oracle_shape]}]
+  - name: other
+    says: Something about a method that is not here
+    source: Test
+    needs: [{metric: f1, tau_m: 0.5, method: khronos, better_than: [hydra]}]
+)");
+  ASSERT_EQ(run("report result --format html --claims claims.yaml"), 0)
+      << readText(folder_ / "err.txt");
   const std::string line =
       fmt::format("node '{}/tests/eval/report/html/look_at_report.mjs' {} '{}' '{}' > '{}' 2>&1",
                   HYDRABENCH_SOURCE_DIR, chromium, (folder_ / "result/report.html").string(),

@@ -18,6 +18,7 @@ namespace hydrabench {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 int bundle(const TemporaryFolder& folder, const std::string& npm, const std::string& esbuild) {
   return std::system(
@@ -26,6 +27,14 @@ int bundle(const TemporaryFolder& folder, const std::string& npm, const std::str
                   HYDRABENCH_CMAKE, HYDRABENCH_SOURCE_DIR, (folder / "build").string(), npm,
                   esbuild, HYDRABENCH_SOURCE_DIR, (folder / "log").string())
           .c_str());
+}
+
+/// A program that only says its version.
+std::string esbuildOf(const TemporaryFolder& folder, const std::string& version) {
+  const std::filesystem::path program = folder / "esbuild";
+  writeText(program, "#!/bin/sh\necho " + version + "\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  return program.string();
 }
 
 TEST(WebAssets, ABuildWithoutEsbuildSucceedsAndSaysWhatToDo) {
@@ -38,9 +47,26 @@ TEST(WebAssets, ABuildWithoutEsbuildSucceedsAndSaysWhatToDo) {
 
 TEST(WebAssets, ABuildWithoutNetworkSucceedsAndSaysWhatToDo) {
   const TemporaryFolder folder;
-  EXPECT_EQ(bundle(folder, "/bin/false", "/bin/true"), 0);
+  EXPECT_EQ(bundle(folder, "/bin/false", esbuildOf(folder, "0.25.10")), 0);
   EXPECT_THAT(readText(folder / "build/web_assets.cpp"),
               HasSubstr("npm could not fetch its packages"));
+}
+
+TEST(WebAssets, AnEsbuildOlderThanAnyThatWasTriedIsNotUsed) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(bundle(folder, "/bin/false", esbuildOf(folder, "0.9.1")), 0);
+  EXPECT_THAT(readText(folder / "build/missing.txt"),
+              HasSubstr("esbuild 0.9.1 is too old, 0.17 or later is needed"));
+}
+
+TEST(WebAssets, TheScriptSaysWhatItIsMadeOf) {
+  try {
+    EXPECT_THAT(std::string(webAssets().script.substr(0, 200)),
+                StartsWith("/* Front end of hydrabench's reports with three 0.187.0, uplot 1.6.32, "
+                           "bundled by esbuild 0."));
+  } catch (const InputError& error) {
+    GTEST_SKIP() << error.what();
+  }
 }
 
 TEST(WebAssets, NothingInTheScriptEndsItsElement) {

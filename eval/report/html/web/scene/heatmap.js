@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
 import {Mesh, Scene} from "three";
+import {kOutcomes} from "../model.js";
 import {methodLabel} from "../palette.js";
 import {paint, surface} from "./layers.js";
 import {addLamp} from "./viewer.js";
 
 /**
  * An object by itself: the true surface in the colours of its distance to an estimate, and the estimate in those of its distance to the
- * true surface; or the true surface once per method. Cells for Viewer.cells, with captions.
+ * true surface; or the true surface once per method. Cells for Viewer.setCells, with captions.
  */
 export function heatmapCells(shapes, world, truth, methodName, {every, maxError}) {
   const cells = [];
@@ -16,7 +17,7 @@ export function heatmapCells(shapes, world, truth, methodName, {every, maxError}
     const found = method.ofTruth.get(truth);
     const match = found?.kind === "matched" ? method.matches.find((candidate) => candidate.truth === truth && candidate.object === found.object) : null;
     if (!match) {
-      if (every) cells.push(cell(null, methodLabel(method.name), "missed"));
+      if (every) cells.push(cell(null, methodLabel(method.name), kOutcomes[found?.kind] ?? "not scored"));
       continue;
     }
     const true_mesh = world.truths[truth].mesh;

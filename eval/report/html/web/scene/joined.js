@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
 import {json} from "../data.js";
-import {chosenSetting, outcomesOf, scoredWorld, scoresOf, worldKey} from "../model.js";
+import {chosenSetting, estimateKey, outcomesOf, scoredWorld, scoresOf, shownNames, truthKey, worldKey} from "../model.js";
 
 /**
  * What there is to see of a world with what became of it at a setting:
- * truths: [{id, name, class, mesh, scored}], methods: [{name, scene, objects: [{id, name, class, mesh, box, status, truth, distance}],
+ * truths: [{id, key, name, class, mesh, scored}], methods: [{name, scene, objects: [{id, key, name, class, mesh, box, status, truth, distance}],
  * ofTruth: Map of truth index to {kind, object, distance, scores}, matches, candidates}]. A status is matched, unmatched, duplicate or
  * unscored.
  */
@@ -15,13 +15,14 @@ export function joined(key) {
   const scored = scoredWorld(key);
   const setting = chosenSetting();
   const truthIndex = new Map(data.truths.map((truth, i) => [truth.id, i]));
-  const truths = data.truths.map((truth) => ({...truth, name: truth.name || truth.id, scored: scored?.truths.find((other) => other.id === truth.id) ?? null}));
-  const methods = data.methods.map((method) => joinMethod(method, scored, setting, truthIndex));
+  const names = shownNames(data.truths);
+  const truths = data.truths.map((truth, i) => ({...truth, key: truthKey(key, truth), name: names[i], scored: scored?.truths.find((other) => other.id === truth.id) ?? null}));
+  const methods = data.methods.map((method) => joinMethod(key, method, scored, setting, truthIndex));
   return {key, data, truths, methods};
 }
 
-function joinMethod(method, scored, setting, truthIndex) {
-  const objects = method.objects.map((object) => ({...object, status: "unscored", truth: null, distance: null}));
+function joinMethod(world, method, scored, setting, truthIndex) {
+  const objects = method.objects.map((object) => ({...object, key: estimateKey(world, method.method, object), status: "unscored", truth: null, distance: null}));
   const ofTruth = new Map();
   const result = {name: method.method, scene: method.scene, objects, ofTruth, matches: method.matches, candidates: method.candidates, isScored: false};
   const evaluated = scored?.methods.find((other) => other.method === method.method);
@@ -49,17 +50,13 @@ function joinMethod(method, scored, setting, truthIndex) {
   return result;
 }
 
-/** How a thing is called in the URL: a truth by its name, an estimate by method and name. */
-export const truthKey = (truth) => truth.name;
-export const objectKey = (method, object) => method.name + ":" + object.name;
-
 /** What a key names: {truth} or {method, object}, indices; null for nothing. */
 export function find(world, key) {
   if (!key) return null;
-  const truth = world.truths.findIndex((candidate) => truthKey(candidate) === key);
+  const truth = world.truths.findIndex((candidate) => candidate.key === key);
   if (truth >= 0) return {truth};
   for (let method = 0; method < world.methods.length; ++method) {
-    const object = world.methods[method].objects.findIndex((candidate) => objectKey(world.methods[method], candidate) === key);
+    const object = world.methods[method].objects.findIndex((candidate) => candidate.key === key);
     if (object >= 0) return {method, object};
   }
   return null;

@@ -11,7 +11,6 @@ export class Layers {
     this.world = world;
     this.group = new Group();
     this.pickable = [];
-    this.sceneMeshes = new Map();
     viewer.scene.add(this.group);
   }
 
@@ -43,6 +42,7 @@ export class Layers {
   /** Before the layers of another world. */
   close() {
     this.dispose();
+    this.world.dispose();
     this.viewer.scene.remove(this.group);
   }
 
@@ -73,7 +73,7 @@ export class Layers {
         }
       }
       const mesh = this.add(new Mesh(geometry, surface(painted ? 0xffffff : color, {vertexColors: painted})), painted);
-      mesh.userData.pick = {method: method.name, object: i, name: object.name, truth: object.status === "matched" ? object.truth : null};
+      mesh.userData.pick = {key: object.key, method: method.name, name: object.name, truth: object.status === "matched" ? object.truth : null};
       this.pickable.push(mesh);
       if (extra) this.add(outline(boxPoints(geometry), cssColor("--extra"), 0, kCross), true);
     });
@@ -137,8 +137,7 @@ export class Layers {
   async addScene(method) {
     const wanted = (this.wanted = {});
     if (!method || method.scene === null) return;
-    if (!this.sceneMeshes.has(method.scene)) this.sceneMeshes.set(method.scene, this.world.sceneGeometry(method.scene));
-    const geometry = await this.sceneMeshes.get(method.scene);
+    const geometry = await this.world.sceneGeometry(method.scene);
     if (this.wanted !== wanted) return;
     // Walls are seen from inside only: from above one looks into the rooms.
     const colors = Boolean(geometry.getAttribute("color"));

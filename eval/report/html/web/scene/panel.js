@@ -13,8 +13,8 @@ export function objectPanel({world, shapes, selected, method: chosen, heat, acti
   return h("div", {class: "object"},
     h("div", {class: "title"},
       h("h2", {}, truth ? truth.name : world.methods[selected.method].objects[selected.object].name),
-      h("button", {type: "button", class: "quiet", title: "previous object (p)", onclick: () => actions.step(-1)}, "‹"),
-      h("button", {type: "button", class: "quiet", title: "next object (n)", onclick: () => actions.step(1)}, "›"),
+      h("button", {type: "button", "data-name": "previous", class: "quiet", title: "previous object (p)", onclick: () => actions.step(-1)}, "‹"),
+      h("button", {type: "button", "data-name": "next", class: "quiet", title: "next object (n)", onclick: () => actions.step(1)}, "›"),
       h("button", {type: "button", class: "quiet", title: "close (Esc)", onclick: actions.close}, "×")),
     body);
 }
@@ -33,12 +33,12 @@ function truthBody(world, shapes, t, chosen, heat, actions) {
         const outcome = candidate.ofTruth.get(t);
         const scores = outcome?.scores;
         return h("tr", {class: candidate.name === chosen ? "chosen" : ""},
-          h("th", {scope: "row"}, h("button", {type: "button", class: "row", "aria-pressed": String(candidate.name === chosen), onclick: () => actions.choose(candidate.name)}, methodTag(candidate.name))),
+          h("th", {scope: "row"}, h("button", {type: "button", "data-name": candidate.name, class: "row", "aria-pressed": String(candidate.name === chosen), onclick: () => actions.choose(candidate.name)}, methodTag(candidate.name))),
           outcome?.kind === "matched"
             ? [h("td", {class: "num"}, centimetres(outcome.distance)), h("td", {class: "num"}, scores ? centimetres(scores.chamfer_l1) : ""), h("td", {class: "num"}, scores ? fixed(scores.b_iou, 2) : ""), h("td", {class: "num"}, scores ? fixed(scores.v_iou_solid, 2) : "")]
             : h("td", {class: "missed", colspan: 4}, outcome ? kOutcomes[outcome.kind] : "n/a"));
       }))),
-    h("p", {}, h("button", {type: "button", id: "heat", class: "main", "aria-pressed": String(heat), onclick: actions.heat}, heat ? "Back to the scene (h)" : "Error heatmap (h)")),
+    h("p", {}, h("button", {type: "button", id: "heat", "data-name": "heat", class: "main", "aria-pressed": String(heat), onclick: actions.heat}, heat ? "Back to the scene (h)" : "Error heatmap (h)")),
     method && views(shapes, method, candidatesOf(method, t, found)),
   ];
 }

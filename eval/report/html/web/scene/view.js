@@ -19,7 +19,7 @@ export function viewCard(shapes, candidate) {
   const shown = {observed: true, projected: true};
   const canvas = h("canvas", {role: "img", "aria-label": "best view with masks"});
   let images = null;
-  const toggle = (key, text) => h("button", {type: "button", class: "key-" + key, "aria-pressed": "true", onclick: (event) => {
+  const toggle = (key, text) => h("button", {type: "button", class: "key-" + key, "data-name": key, "aria-pressed": "true", onclick: (event) => {
     shown[key] = !shown[key];
     event.currentTarget.setAttribute("aria-pressed", String(shown[key]));
     draw();
@@ -54,7 +54,8 @@ function pixels(bitmap) {
   const canvas = h("canvas", {width: bitmap.width, height: bitmap.height});
   const context = canvas.getContext("2d");
   context.drawImage(bitmap, 0, 0);
-  return context.getImageData(0, 0, bitmap.width, bitmap.height);
+  bitmap.close();
+  return context.getImageData(0, 0, canvas.width, canvas.height);
 }
 
 function blend(data, at, color, weight) {
@@ -67,8 +68,8 @@ export function viewPager(shapes, candidates) {
   const box = h("div", {});
   const draw = () => fill(box,
     candidates.length > 1 && h("p", {class: "pager"},
-      h("button", {type: "button", "aria-label": "previous view", onclick: () => step(-1)}, "‹"), "view " + (at + 1) + " of " + candidates.length + ", track " + candidates[at].track,
-      h("button", {type: "button", "aria-label": "next view", onclick: () => step(1)}, "›")),
+      h("button", {type: "button", "data-name": "previous view", "aria-label": "previous view", onclick: () => step(-1)}, "‹"), "view " + (at + 1) + " of " + candidates.length + ", track " + candidates[at].track,
+      h("button", {type: "button", "data-name": "next view", "aria-label": "next view", onclick: () => step(1)}, "›")),
     viewCard(shapes, candidates[at]));
   const step = (by) => { at = (at + by + candidates.length) % candidates.length; draw(); };
   draw();

@@ -16,7 +16,7 @@ export class Viewer {
     this.camera = new PerspectiveCamera(45, 1, 0.02, 500);
     this.camera.up.set(0, 0, 1);
     this.cut = new Plane(new Vector3(0, 0, -1), Infinity);
-    this.cells = null;  // small pictures in a grid instead of the scene: [{scene}], see heatmap.js
+    this.cells = null;
     this.renderer = new WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
     this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -31,6 +31,18 @@ export class Viewer {
     onTheme(() => this.paint());
     new ResizeObserver(() => this.resize()).observe(holder);
     this.renderer.domElement.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** Small pictures in a grid instead of the scene: [{scene}], see heatmap.js; null for the scene. Those that stood there are released. */
+  setCells(cells) {
+    for (const {scene} of this.cells ?? []) {
+      scene.traverse(({geometry, material}) => {
+        geometry?.dispose();
+        material?.dispose();
+      });
+    }
+    this.cells = cells;
+    this.draw();
   }
 
   paint() {

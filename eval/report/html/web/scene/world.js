@@ -14,6 +14,13 @@ export class World {
     this.data = data;
     this.shapes = shapes;
     this.geometries = new Map();
+    this.scenes = new Map();
+  }
+
+  /** Takes everything off the graphics card; what is still asked for afterwards comes back there. */
+  dispose() {
+    for (const geometry of this.geometries.values()) geometry.dispose();
+    for (const scene of this.scenes.values()) scene.then((geometry) => geometry.dispose());
   }
 
   /** Of an object; shared by all who ask for it, so it must not be changed. Equal bytes may stand for shapes of other places and sizes. */
@@ -23,7 +30,7 @@ export class World {
     return this.geometries.get(key);
   }
 
-  /** The same with room for a colour per vertex. */
+  /** The same with room for a colour per vertex, the caller's own. */
   paintable(mesh) {
     const geometry = this.geometry(mesh).clone();
     geometry.setAttribute("color", new BufferAttribute(new Uint8Array(3 * mesh.vertices), 3, true));
@@ -35,8 +42,12 @@ export class World {
     return this.shapes.subarray(at, at + mesh.vertices);
   }
 
-  async sceneGeometry(index) {
-    return geometryOf(decodeMesh(await bytes(this.data.prefix + "-scene-" + index + ".gz"), this.data.scenes[index]));
+  /** Promise of a scene mesh, shared as well. */
+  sceneGeometry(index) {
+    if (!this.scenes.has(index)) {
+      this.scenes.set(index, bytes(this.data.prefix + "-scene-" + index + ".gz").then((packed) => geometryOf(decodeMesh(packed, this.data.scenes[index]))));
+    }
+    return this.scenes.get(index);
   }
 
   /** A picture as a Blob. */

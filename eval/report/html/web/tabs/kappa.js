@@ -18,9 +18,11 @@ export function kappaView(page, data) {
     hidden: new Set()};
   const body = h("div", {});
   page.append(body);
+  let charts = [];
   draw();
 
   function draw() {
+    for (const old of charts) old.destroy();
     const here = (row) => row.dataset === chosen.dataset && row.matching === chosen.matching;
     const rows = steps.filter(here);
     const bands = intervals.filter(here);
@@ -29,10 +31,10 @@ export function kappaView(page, data) {
     const end = bands.length > 0 ? Math.max(...bands.map((row) => row.kappa)) : Math.min(1, Math.max(...rows.map((row) => row.kappa)));
     const of = new Map(methods.map((method) => [method, rows.filter((row) => row.method === method && row.kappa <= end)]));
     const readout = h("tbody", {});
-    const slider = h("input", {type: "range", min: 0, max: end, step: end / 200, value: chosen.kappa, id: "kappa", oninput: (event) => read(Number(event.target.value))});
+    const slider = h("input", {type: "range", min: 0, max: end, step: end / 200, value: chosen.kappa, id: "kappa", "data-name": "kappa", oninput: (event) => read(Number(event.target.value))});
     const at = h("output", {for: "kappa"});
 
-    const charts = kScores.map(([score, title]) => chart({
+    charts = kScores.map(([score, title]) => chart({
       title, xLabel: "κ (share of half the object's diagonal)", xRange: [0, end], sync: "kappa", oncursor: (kappa) => read(kappa),
       curves: methods.filter((method) => !chosen.hidden.has(method)).map((method) => ({
         label: methodLabel(method), color: () => methodColor(method), dash: methodDash(method), steps: true,
@@ -57,6 +59,7 @@ export function kappaView(page, data) {
       }));
     }
 
+    read(chosen.kappa);
     const pick = (key) => (value) => { chosen[key] = value; draw(); };
     fill(body,
       h("div", {class: "controls"},
@@ -69,7 +72,6 @@ export function kappaView(page, data) {
         h("thead", {}, h("tr", {}, h("th", {}, "method"), kScores.map(([, title]) => h("th", {class: "num"}, title)),
           kScores.map(([, title]) => h("th", {class: "num"}, "mean " + title)), h("th", {class: "num"}, "estimates inside"), h("th", {class: "num"}, "objects found"))), readout)),
       h("p", {class: "hint"}, "Means are areas under the exact step functions over the largest κ. " + (methods.some(isBound) ? "Dashed: bounds, told the ground truth." : "")));
-    read(chosen.kappa);
   }
 }
 

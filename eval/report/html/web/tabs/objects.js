@@ -3,7 +3,7 @@
 import {distinct, json} from "../data.js";
 import {fill, h, select} from "../dom.js";
 import {centimetres, fixed, percent} from "../format.js";
-import {chosenSetting, chosenWorld, kOutcomes, objects, outcomesOf, scoredWorld, scoresOf, settingControls, worldControl, worldKey} from "../model.js";
+import {chosenSetting, chosenWorld, estimateKey, kOutcomes, objects, outcomesOf, scoredWorld, scoresOf, settingControls, shownNames, truthKey, worldControl, worldKey} from "../model.js";
 import {methodLabel, methodTag} from "../palette.js";
 import * as state from "../state.js";
 import {sortableTable} from "../table.js";
@@ -36,7 +36,7 @@ export function objectsTab(page) {
       select("method", [["", "all"], ...distinct(rows.map((row) => row.method)).map((m) => [m, methodLabel(m)])], filter.method, pick("method")),
       select("class", [["", "all"], ...distinct(rows.map((row) => row.class)).sort().map((c) => [c, c])], filter.class, pick("class")),
       select("outcome", [["", "all"], ...Object.entries(kOutcomes)], filter.outcome, pick("outcome")),
-      h("label", {class: "field"}, h("span", {}, "name, variant or room"), h("input", {type: "search", id: "object-filter", value: filter.text, oninput: (event) => pick("text")(event.target.value)})),
+      h("label", {class: "field"}, h("span", {}, "name, variant or room"), h("input", {type: "search", id: "object-filter", "data-name": "filter", value: filter.text, oninput: (event) => pick("text")(event.target.value)})),
       h("div", {class: "spring"}), count);
   }
 
@@ -67,22 +67,24 @@ export function objectsTab(page) {
 
 function rowsOf(world, setting) {
   const rows = [];
+  const key = worldKey(world);
+  const names = shownNames(world.truths);
   world.truths.forEach((truth, t) => {
     for (const method of world.methods) {
       const outcome = outcomesOf(method, setting, world.truths.length).ofTruth.get(t);
       if (!outcome) continue;
-      rows.push({...common(truth), visible: truth.visible, key: truth.name || truth.id, method: method.method, outcome: outcome.kind, distance: outcome.distance,
+      rows.push({...common(truth, names[t]), visible: truth.visible, key: truthKey(key, truth), method: method.method, outcome: outcome.kind, distance: outcome.distance,
         scores: outcome.kind === "matched" ? scoresOf(method, outcome.estimate, t) : null});
     }
   });
   for (const method of world.methods) {
     for (const {kind, estimate, distance} of outcomesOf(method, setting, 0).extra) {
       const object = method.estimates[estimate];
-      rows.push({...common(object), visible: null, key: method.method + ":" + object.name, method: method.method, outcome: kind, distance, scores: null});
+      rows.push({...common(object, object.name), visible: null, key: estimateKey(key, method.method, object), method: method.method, outcome: kind, distance, scores: null});
     }
   }
   return rows;
 }
 
-const common = (object) => ({name: object.name || object.id, class: object.class, subtype: object.subtype ?? "", room: object.room ?? "",
-  words: [object.name, object.id, object.class, object.subtype, object.room].join(" ").toLowerCase()});
+const common = (object, name) => ({name, class: object.class, subtype: object.subtype ?? "", room: object.room ?? "",
+  words: [name, object.id, object.class, object.subtype, object.room].join(" ").toLowerCase()});

@@ -5,7 +5,7 @@ import {checkbox, fill, h, select} from "../dom.js";
 import {chosenWorld, isFound, settingControls, worldControl} from "../model.js";
 import {isBound, methodLabel, methodTag, scaleGradient, swatch} from "../palette.js";
 import {heatmapCells} from "../scene/heatmap.js";
-import {find, joined, objectKey, truthKey} from "../scene/joined.js";
+import {find, joined} from "../scene/joined.js";
 import {Layers} from "../scene/layers.js";
 import {objectPanel} from "../scene/panel.js";
 import {Viewer} from "../scene/viewer.js";
@@ -17,6 +17,8 @@ import {Vector3} from "three";
 /** From where a world may be looked at first: obliquely from above, all around. */
 const kDirections = Array.from({length: 8}, (_, i) => new Vector3(Math.cos((i + 0.6) * Math.PI / 4), Math.sin((i + 0.6) * Math.PI / 4), 1.25));
 
+const kHeatless = {missed: ": it missed this object", found: ": what it has here is nearer to another object"};
+
 /** The scene of a world: what was mapped, what is there, and how far apart they are. */
 export function sceneTab(page) {
   const scene = json("scene");
@@ -26,7 +28,10 @@ export function sceneTab(page) {
   }
   const tab = new SceneTab(page);
   tab.open();
-  return {onshow: () => tab.viewer?.resize()};
+  return {onshow: () => {
+    tab.viewer?.resize();
+    tab.catchUp();
+  }};
 }
 
 class SceneTab {
@@ -43,23 +48,31 @@ class SceneTab {
     this.viewer?.onPick((ray) => this.click(ray), (ray, event) => this.hover(ray, event));
     document.addEventListener("keydown", (event) => this.key(event));
     onTheme(() => this.show());
+    this.page = page;
+    this.changed = new Set();
     state.onChange((changed) => {
-      if (changed.has("world")) this.open();
-      else if (["object", "method", "threshold", "matching", "heat"].some((key) => changed.has(key))) this.refresh(changed);
+      changed.forEach((key) => this.changed.add(key));
+      this.catchUp();
     });
+  }
+
+  /** Follows what changed; only while it is seen, since a camera has nowhere to stand before a stage without a size. */
+  catchUp() {
+    if (this.page.hidden) return;
+    const changed = this.changed;
+    this.changed = new Set();
+    if (changed.has("world")) this.open();
+    else if (["object", "method", "threshold", "matching", "heat"].some((key) => changed.has(key))) this.refresh(changed);
   }
 
   async open() {
     const key = chosenWorld();
+    this.viewer?.setCells(null);
     this.layers?.close();
     this.layers = null;
     this.before = null;
     this.world = joined(key);
     if (!this.world || !this.viewer) {
-      if (this.viewer) {
-        this.viewer.cells = null;
-        this.viewer.draw();
-      }
       fill(this.overlay);
       fill(this.left, worldControl(), !this.world && h("p", {class: "hint"}, "This world has no scene in this file; the remarks under Setup say why."));
       fill(this.right);
@@ -127,16 +140,12 @@ class SceneTab {
     if (!this.layers) return;
     const selected = this.selected();
     this.layers.show({...this.options, world: this.world, selected});
-    this.viewer.cells = null;
     this.tip.hidden = true;
-    if (this.heating()) {
-      const cells = heatmapCells(this.shapes, this.world, selected.truth, this.method(), this.options);
-      if (cells.length > 0) this.viewer.cells = cells;
-    }
+    const cells = this.heating() ? heatmapCells(this.shapes, this.world, selected.truth, this.method(), this.options) : [];
+    this.viewer.setCells(cells.length > 0 ? cells : null);
     this.drawLeft();
     this.drawRight();
     this.drawOverlay();
-    this.viewer.draw();
   }
 
   setCut(height) {
@@ -149,7 +158,6 @@ class SceneTab {
     const {world, options} = this;
     const change = (key) => (value) => { options[key] = value; this.show(); };
     const scroll = this.list?.scrollTop ?? 0;
-    const focused = document.activeElement === this.list;
     const counts = (method) => {
       if (!method.isScored) return String(method.objects.length);
       const found = [...method.ofTruth.values()].filter(isFound).length;
@@ -166,24 +174,23 @@ class SceneTab {
         select("colour by", [["method", "method"], ["outcome", "outcome"], ["error", "error"], ["class", "class"]], options.color, change("color")),
         select("ground truth", [["none", "missed"], ["wire", "wireframe"], ["veil", "translucent"], ["solid", "solid"]], options.truths, change("truths")),
         select("scene mesh", [["", "none"], ...world.methods.filter((method) => method.scene !== null).map((method) => [method.name, methodLabel(method.name)])], options.scene, change("scene")),
-        h("label", {class: "field"}, h("span", {}, "cut above"), h("input", {type: "range", min: 0.1, max: 4, step: 0.1, value: options.cut, oninput: (event) => this.setCut(Number(event.target.value))})),
+        h("label", {class: "field"}, h("span", {}, "cut above"), h("input", {type: "range", "data-name": "cut", min: 0.1, max: 4, step: 0.1, value: options.cut, oninput: (event) => this.setCut(Number(event.target.value))})),
         checkbox("match lines", options.lines, change("lines")),
         checkbox("camera path", options.path, change("path"))),
       this.objectList());
     this.list.scrollTop = scroll;
     const current = this.list.querySelector("[aria-selected=true]");
     current?.scrollIntoView({block: "nearest"});
-    if (focused) this.list.focus();
   }
 
   /** Every object that can be chosen, in the order of n and p: the true ones, then what stands for none. */
   choices() {
-    const result = this.world.truths.map((truth, t) => ({key: truthKey(truth), truth: t, text: truth.name, hint: this.missed(t) ? "missed" : ""}));
+    const result = this.world.truths.map((truth, t) => ({key: truth.key, truth: t, text: truth.name, hint: this.missed(t) ? "missed" : ""}));
     for (const method of this.world.methods) {
       if (!this.options.methods.has(method.name)) continue;
       for (const object of method.objects) {
         if (object.status === "matched" || (object.status === "unscored" && method.isScored)) continue;
-        result.push({key: objectKey(method, object), text: object.name + " " + object.class, hint: object.status === "unscored" ? "" : object.status === "duplicate" ? "duplicate" : "false"});
+        result.push({key: object.key, text: object.name + " " + object.class, hint: object.status === "unscored" ? "" : object.status === "duplicate" ? "duplicate" : "false"});
       }
     }
     return result;
@@ -197,7 +204,7 @@ class SceneTab {
   objectList() {
     const choices = this.choices();
     const chosen = state.get("object");
-    this.list = h("ul", {class: "list", role: "listbox", tabindex: "0", "aria-label": "objects", onkeydown: (event) => {
+    this.list = h("ul", {class: "list", role: "listbox", "data-name": "list", tabindex: "0", "aria-label": "objects", onkeydown: (event) => {
       const by = {ArrowDown: 1, ArrowUp: -1}[event.key];
       if (!by) return;
       event.preventDefault();
@@ -216,21 +223,22 @@ class SceneTab {
     }
     fill(this.right, objectPanel({world: this.world, shapes: this.shapes, selected, method: this.method(), heat: this.heating(), actions: {
       step: (by) => this.step(by), close: () => this.choose(null), choose: (method) => state.set({method}),
-      select: ({truth}) => this.choose(truthKey(this.world.truths[truth])), heat: () => this.toggleHeat()}}));
+      select: ({truth}) => this.choose(this.world.truths[truth].key), heat: () => this.toggleHeat()}}));
   }
 
   drawOverlay() {
     const cells = this.viewer.cells;
     const swatchOf = (color, text) => h("span", {class: "method"}, h("span", {class: "swatch", style: "--c:var(" + color + ")"}), text);
     const scale = () => h("div", {class: "scale"}, h("span", {}, "0"), h("i", {style: "background:" + scaleGradient()}), h("span", {}, "≥ " + Math.round(100 * this.options.maxError) + " cm"),
-      select("", [["0.05", "5 cm"], ["0.1", "10 cm"], ["0.2", "20 cm"]], String(this.options.maxError), (value) => { this.options.maxError = Number(value); this.show(); }));
+      select("scale", [["0.05", "5 cm"], ["0.1", "10 cm"], ["0.2", "20 cm"]], String(this.options.maxError), (value) => { this.options.maxError = Number(value); this.show(); }));
     if (cells) {
       const {columns} = this.viewer.gridSize();
       fill(this.overlay, h("div", {class: "captions", style: "--columns:" + columns}, cells.map((cell) => h("div", {}, h("b", {}, cell.caption), h("small", {}, cell.detail)))),
         h("div", {class: "corner"}, scale(), checkbox("every method", this.options.every, (every) => { this.options.every = every; this.show(); this.flyTo(true); })));
       return;
     }
-    const heatless = this.heating() && h("p", {class: "notice"}, methodLabel(this.method()) + " has nothing here to compare with: it missed this object.");
+    const outcome = this.heating() && this.world.methods.find((method) => method.name === this.method()).ofTruth.get(this.selected().truth)?.kind;
+    const heatless = this.heating() && h("p", {class: "notice"}, methodLabel(this.method()) + " has nothing here to compare with" + (kHeatless[outcome] ?? "") + ".");
     fill(this.overlay, heatless, h("div", {class: "corner"},
       this.options.color === "error" && scale(),
       h("div", {class: "legend"}, (this.options.truths !== "none" || this.selected()?.truth !== undefined) && swatchOf("--truth", "ground truth"), swatchOf("--missed", "missed (ghost)"), swatchOf("--extra", "false or duplicate (crossed box)"), this.options.color === "outcome" && swatchOf("--found", "found"))));
@@ -243,8 +251,8 @@ class SceneTab {
   click(ray) {
     const pick = this.hit(ray);
     if (!pick) return;
-    if (pick.truth !== null && pick.truth !== undefined) state.set({object: truthKey(this.world.truths[pick.truth]), ...(pick.method ? {method: pick.method} : {}), heat: null});
-    else this.choose(pick.method + ":" + pick.name);
+    if (pick.truth !== null && pick.truth !== undefined) state.set({object: this.world.truths[pick.truth].key, ...(pick.method ? {method: pick.method} : {}), heat: null});
+    else this.choose(pick.key);
   }
 
   hover(ray, event) {
