@@ -40,6 +40,11 @@ std::vector<Metric> metrics(const SceneTally& all) {
     list.push_back({fmt::format("scene_f_score_{:g}cm", 100 * SceneTally::kWithin_m[i]), "",
                     [i](const SceneTally& t) { return sceneFScore(t, i); }});
   }
+  list.push_back({"filled_volume", "m^3", [](const SceneTally& t) {
+                    double sum = 0;
+                    for (const auto& [nearby, volume] : t.filled_m3) sum += volume;
+                    return sum;
+                  }});
   for (const auto& [nearby, volume] : all.filled_m3) {
     list.push_back({"filled_volume_" + nearby, "m^3", [nearby](const SceneTally& t) {
                       const auto found = t.filled_m3.find(nearby);

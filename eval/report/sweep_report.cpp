@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "eval/evaluation/csv.h"
+#include "eval/evaluation/scene_rows.h"
 
 namespace hydrabench {
 namespace {
@@ -65,10 +66,18 @@ std::vector<const ScoreRow*> standing(const std::vector<ScoreRow>& rows,
 struct Measure {
   std::string metric;
   std::string title;
-  double threshold = 0;
+  std::string class_name;
+  std::optional<double> threshold;  ///< nullopt: of the map as a whole
+  std::string y_label = "score";
+
+  bool isMeasuredBy(const ScoreRow& row, const std::string& matching) const {
+    return row.class_name == class_name && row.metric == metric && row.threshold == threshold &&
+           (!threshold || (row.matching == matching && row.threshold_kind == "tau_m"));
+  }
 };
 
-/// F1 at each threshold in metres, and the box IoU at the largest.
+/// F1 at each threshold in metres, and the box IoU at the largest; where the map as a whole is
+/// scored, how complete its ground is and what it fills falsely.
 std::vector<Measure> measures(const SweepScores& sweep) {
   std::set<double> thresholds;
   for (const SweepScores::Point& point : sweep.points) {
@@ -78,11 +87,19 @@ std::vector<Measure> measures(const SweepScores& sweep) {
   }
   std::vector<Measure> result;
   for (const double threshold : thresholds) {
-    result.push_back({"f1", fmt::format("F1 within {:g} m", threshold), threshold});
+    result.push_back({"f1", fmt::format("F1 within {:g} m", threshold), kAllMicro, threshold});
   }
   if (!thresholds.empty()) {
     const double largest = *thresholds.rbegin();
-    result.push_back({"b_iou", fmt::format("box IoU of matches within {:g} m", largest), largest});
+    result.push_back(
+        {"b_iou", fmt::format("box IoU of matches within {:g} m", largest), kAllMicro, largest});
+  }
+  const auto is_scene = [](const ScoreRow& row) { return row.class_name == kSceneClass; };
+  if (std::any_of(sweep.points.begin(), sweep.points.end(), [&](const SweepScores::Point& point) {
+        return std::any_of(point.rows.begin(), point.rows.end(), is_scene);
+      })) {
+    result.push_back({"ground_completeness", "ground completeness", kSceneClass, {}, "share"});
+    result.push_back({"filled_volume", "falsely filled", kSceneClass, {}, "volume [m^3]"});
   }
   return result;
 }
@@ -165,16 +182,12 @@ Plot sweepPlot(const SweepScores& sweep, const std::string& dataset, const std::
     PlotPanel& panel = plot.panels.emplace_back();
     panel.title = measure.title;
     panel.x_label = sweep.axes[0].title;
-    panel.y_label = "score";
+    panel.y_label = measure.y_label;
     panel.x_range = {low, high > low ? high : low + 1};
     std::map<std::string, std::size_t> curve_of;
     for (const SweepScores::Point& point : sweep.points) {
       for (const ScoreRow* row : standing(point.rows, dataset)) {
-        if (row->class_name != kAllMicro || row->metric != measure.metric ||
-            row->matching != matching || row->threshold_kind != "tau_m" ||
-            row->threshold != measure.threshold) {
-          continue;
-        }
+        if (!measure.isMeasuredBy(*row, matching)) continue;
         std::string label = methodLabel(row->method);
         if (const std::string more = settings(sweep, point, 1); !more.empty()) label += ", " + more;
         const auto [known, is_new] = curve_of.emplace(label, panel.curves.size());
@@ -193,6 +206,9 @@ Plot sweepPlot(const SweepScores& sweep, const std::string& dataset, const std::
                 [](const auto& a, const auto& b) { return a.x() < b.x(); });
       std::sort(curve.band.begin(), curve.band.end(),
                 [](const auto& a, const auto& b) { return a.x < b.x; });
+      for (const Eigen::Vector2d& point : curve.points) {
+        if (point.y() > 1) panel.y_range.y() = std::max(panel.y_range.y(), 1.05 * point.y());
+      }
     }
   }
   return plot;

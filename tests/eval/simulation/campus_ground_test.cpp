@@ -54,14 +54,14 @@ Counts groundFound(const std::string& lidar, const std::string& settings) {
   return counts;
 }
 
-TEST(CampusGround, IsFoundBySixtyFourBeams) {
+TEST(CampusGroundSegmentation, IsFoundBySixtyFourBeams) {
   const Counts counts = groundFound("hdl64", "vlp16");
   EXPECT_GT(counts.there, 1e6);
   EXPECT_GT(counts.f1(), 0.95);
   RecordProperty("f1", std::to_string(counts.f1()));
 }
 
-TEST(CampusGround, IsFoundBySixteenBeams) {
+TEST(CampusGroundSegmentation, IsFoundBySixteenBeams) {
   const Counts counts = groundFound("vlp16", "vlp16");
   EXPECT_GT(counts.there, 1e5);
   EXPECT_GT(counts.f1(), 0.95);
