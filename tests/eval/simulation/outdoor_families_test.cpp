@@ -106,7 +106,9 @@ TEST(OutdoorObjects, HaveMeshesThatEncloseWhatTheirDistanceFieldsDo) {
       if (instance.sdf->value(box.min() + at.cwiseProduct(step)) < 0) ++inside;
     }
     const double expected = static_cast<double>(inside) * step.prod();
-    EXPECT_NEAR(signedVolume(mesh), expected, 0.02 * expected) << instance.family;
+    // Boards are 3 cm thick and meshes simplified by up to 0.2 mm.
+    EXPECT_NEAR(signedVolume(mesh), expected, 3e-4 * surfaceArea(mesh) + 0.005 * expected)
+        << instance.family;
   });
 }
 
