@@ -34,6 +34,22 @@ TEST(PredictionFolder, ReadsBackWithTheNameOfItsMethod) {
   }
 }
 
+TEST(PredictionFolder, ReadsBackWhichVoxelsAreSolid) {
+  TemporaryFolder folder;
+  Prediction prediction = onePrediction();
+  prediction.graph.occupied = {{0.1f, 0.3f, -0.5f}, {7, 8, 9}};
+  prediction.graph.occupied_voxel_m = 0.25;
+  writePrediction(folder / "out", prediction);
+  EXPECT_EQ(fs::file_size(folder / "out/occupied.bin"), 4u + 2 * 12);
+  const SceneGraph read = readPrediction(folder / "out").graph;
+  EXPECT_EQ(read.occupied, prediction.graph.occupied);
+  EXPECT_EQ(read.occupied_voxel_m, 0.25);
+  writeText(folder / "out/occupied.bin", "12345");
+  EXPECT_THAT(
+      messageOf<InputError>([&] { readPrediction(folder / "out"); }),
+      HasSubstr("occupied.bin: 5 bytes; expected 4 for the side of a voxel and 12 for each"));
+}
+
 TEST(PredictionFolder, AForeignGraphIsNamedAfterItsFolderOrFile) {
   TemporaryFolder folder;
   const fs::path sample = fs::path(HYDRABENCH_TEST_DATA_DIR) / "graphs/hydra.json";

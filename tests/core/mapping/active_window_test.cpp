@@ -47,6 +47,23 @@ TEST(ActiveWindow, MeshesTheWallItSees) {
   EXPECT_EQ(analyzeTopology(mesh).components, 1u);
 }
 
+TEST(ActiveWindow, KeepsWhatIsSolidIfAskedTo) {
+  for (const bool keep : {false, true}) {
+    ActiveWindow::Config config;
+    config.keep_occupied = keep;
+    ActiveWindow window(config);
+    integrate(window, wall(0, kStart));
+    window.finish();
+    const std::vector<Eigen::Vector3f> occupied = window.takeOccupied();
+    EXPECT_EQ(occupied.empty(), !keep);
+    // Behind the wall, up to the truncation distance of 0.3 m along the ray.
+    for (const Eigen::Vector3f& p : occupied) {
+      EXPECT_GT(p.y(), 2);
+      EXPECT_LT(p.y(), 2.3);
+    }
+  }
+}
+
 TEST(ActiveWindow, UpdatesAtTheGivenSeparation) {
   ActiveWindow window{{}};  // 0.2 s
   EXPECT_TRUE(window.updateDue(kStart));

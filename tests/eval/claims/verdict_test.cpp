@@ -252,6 +252,11 @@ TEST(Judge, SceneScoresAreComparedByTheirIntervals) {
   EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kUndecided);
   evidence.scores.push_back(row("ours", 11, 2));  // which of the two?
   EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kNotRun);
+  for (ScoreRow pooled : {row("ours", 10, 2), row("theirs", 20, 7)}) {
+    pooled.seed = kPooledSeed;  // then those of all worlds together
+    evidence.scores.push_back(pooled);
+  }
+  EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kHolds);
   predicate.metric = "other";
   EXPECT_EQ(verdictOf(predicate, evidence), ClaimVerdict::kNotRun);
 }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/graph/spark_dsg_json.h"
@@ -80,6 +81,15 @@ TEST(MapDataset, MakesEachFrameOnceForAllMethods) {
     EXPECT_EQ(method.prediction->notes, std::vector<std::string>{"counts"});
   }
   EXPECT_DOUBLE_EQ(run.frame_period_s, 0.1);
+}
+
+TEST(MapDataset, TimesAYardstickBesideEveryFrame) {
+  const DatasetRun run = mapDataset(CountingDataset(), {counting("a"), counting("b")}, 0);
+  for (const MethodRun& method : run.methods) {
+    ASSERT_EQ(method.frame_times.wall_ms.size(), 10u);
+    ASSERT_EQ(method.frame_times.yardstick_ms.size(), 10u);
+    EXPECT_THAT(method.frame_times.yardstick_ms, testing::Each(testing::Gt(0)));
+  }
 }
 
 TEST(MapDataset, AMethodThatThrowsLeavesTheOthersAlone) {
