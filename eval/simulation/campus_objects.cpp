@@ -164,18 +164,24 @@ void placeCars(Placer& placer, int count, double side, Random random) {
   }
 }
 
-/// Tries places until `count` pieces stand.
+/// Tries places until `count` pieces stand; a piece that fits nowhere gives way to another.
 /// @param poseFor  of a drawn piece at a random place; nullopt where it must not stand
 void scatter(Placer& placer, const std::string& class_name, Label label, int count, Random random,
              const std::function<std::optional<Transform>(const Placer::Piece&, double s, Random&)>&
                  poseFor) {
   constexpr int kAttempts = 60;
-  for (int i = 0; i < count; ++i) {
-    const Placer::Piece piece = placer.draw(class_name, label, random);
+  constexpr int kDraws = 6;
+  const auto stands = [&](const Placer::Piece& piece) {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       const double s = random.uniform(0, placer.wayLength());
       const auto pose = poseFor(piece, s, random);
-      if (pose && placer.put(piece, *pose)) break;
+      if (pose && placer.put(piece, *pose)) return true;
+    }
+    return false;
+  };
+  for (int i = 0; i < count; ++i) {
+    int draws = 0;
+    while (!stands(placer.draw(class_name, label, random)) && ++draws < kDraws) {
     }
   }
 }
