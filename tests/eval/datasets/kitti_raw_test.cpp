@@ -55,11 +55,11 @@ TEST_F(SmallDrive, ScanNHasLineNOfThePoses) {
   const Frame frame = dataset.frame(1);
   EXPECT_EQ(frame.stamp_ns, 300'000'000);
   ASSERT_EQ(frame.scans.size(), 1u);
-  EXPECT_EQ(frame.scans[0].stamp_ns, 300'000'000);
-  EXPECT_EQ(frame.scans[0].T_world_lidar.translation(), Eigen::Vector3d(3, 6, 9));
-  EXPECT_EQ(frame.scans[0].points, (std::vector<Eigen::Vector3f>{{4, -5, 6}}));
-  EXPECT_EQ(frame.scans[0].intensity, std::vector<float>{0.5f});
-  EXPECT_EQ(dataset.frame(0).scans[0].points.size(), 2u);
+  EXPECT_EQ(frame.scans.at(0).stamp_ns, 300'000'000);
+  EXPECT_EQ(frame.scans.at(0).T_world_lidar.translation(), Eigen::Vector3d(3, 6, 9));
+  EXPECT_EQ(frame.scans.at(0).points, (std::vector<Eigen::Vector3f>{{4, -5, 6}}));
+  EXPECT_EQ(frame.scans.at(0).intensity, std::vector<float>{0.5f});
+  EXPECT_EQ(dataset.frame(0).scans.at(0).points.size(), 2u);
 }
 
 TEST_F(SmallDrive, FaultsAreOneLineEach) {

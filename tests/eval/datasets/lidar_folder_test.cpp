@@ -121,7 +121,7 @@ class TwoSensors : public ToyLidarDataset {
  public:
   Frame frame(std::size_t index) const override {
     Frame frame = ToyLidarDataset::frame(index);
-    if (index == 3) frame.scans[0].lidar.rows = 6;
+    if (index == 3) frame.scans.at(0).lidar.rows = 6;
     return frame;
   }
 };
@@ -216,7 +216,7 @@ TEST_F(HandWritten, ClassesAreTheLowerHalfOfSemanticKittisNumbers) {
   for (const char* scan : {"lidar/000000.label", "lidar/000001.label"}) {
     writeText(file(scan), std::string("\x28\0\1\0\x2c\1\0\0", 8));
   }
-  EXPECT_EQ(open().dataset->frame(0).scans[0].labels, (std::vector<Label>{40, 300}));
+  EXPECT_EQ(open().dataset->frame(0).scans.at(0).labels, (std::vector<Label>{40, 300}));
 }
 
 TEST_F(HandWritten, PosesOfSensorsThatAreNotSynchronisedComeFromOdometry) {
@@ -228,12 +228,12 @@ TEST_F(HandWritten, PosesOfSensorsThatAreNotSynchronisedComeFromOdometry) {
   // The sweep from 0.1 to 0.2 s ended before the frame at 0.25 s.
   const Frame frame = dataset.frame(1);
   ASSERT_EQ(frame.scans.size(), 1u);
-  EXPECT_EQ(frame.scans[0].start_ns, 100'000'000);
-  EXPECT_EQ(frame.scans[0].stamp_ns, 200'000'000);
+  EXPECT_EQ(frame.scans.at(0).start_ns, 100'000'000);
+  EXPECT_EQ(frame.scans.at(0).stamp_ns, 200'000'000);
   // 2 m ahead of the body, which looks along y: (0.2, 2, 3).
-  EXPECT_TRUE(frame.scans[0].T_world_lidar.translation().isApprox(Eigen::Vector3d(0.2, 2, 3)));
+  EXPECT_TRUE(frame.scans.at(0).T_world_lidar.translation().isApprox(Eigen::Vector3d(0.2, 2, 3)));
   EXPECT_TRUE(
-      frame.scans[0].T_world_lidar_start.translation().isApprox(Eigen::Vector3d(0.1, 2, 3)));
+      frame.scans.at(0).T_world_lidar_start.translation().isApprox(Eigen::Vector3d(0.1, 2, 3)));
   EXPECT_TRUE(frame.T_world_camera.translation().isApprox(Eigen::Vector3d(0.25, 0.5, 1)));
   EXPECT_TRUE((frame.T_world_camera.linear() * Eigen::Vector3d::UnitZ())
                   .isApprox(Eigen::Vector3d::UnitY()));
@@ -251,7 +251,7 @@ TEST_F(HandWritten, SweepsThatOdometryDoesNotCoverAreLeftOut) {
 
 TEST_F(HandWritten, PointsWithoutAMeasurementAreNoFault) {
   writeText(file("lidar/000000.bin"), floats({std::nanf(""), 0, 0, std::nanf(""), 0, 0, 0, 1}));
-  EXPECT_EQ(open().dataset->frame(0).scans[0].points.size(), 2u);
+  EXPECT_EQ(open().dataset->frame(0).scans.at(0).points.size(), 2u);
 }
 
 TEST_F(HandWritten, WrongNumberOfBytes) {
