@@ -40,7 +40,8 @@ void Hydra::process(const Frame& frame) {
   last_stamp_ns_ = frame.stamp_ns;
   last_position_ = frame.T_world_camera.translation();
   lidar_.integrate(frame, window_, times_);
-  if (lidar_.cameraInMap() && !frame.depth.empty()) {
+  const bool lidar_alone = lidar_.enabled() && frame.depth.empty();
+  if (lidar_.cameraInMap() && !lidar_alone) {
     const StageTimes::Scope stage(times_, "integrate");
     SensorView view = sensorView(frame, config_.min_range_m, config_.max_range_m);
     Image<std::uint8_t> mask(view.range.width(), view.range.height());

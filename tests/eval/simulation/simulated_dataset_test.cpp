@@ -145,10 +145,10 @@ TEST(SimulatedConfig, EmptyFileIsTheDefaultOffice) {
 
 TEST(SimulatedConfig, NamesEveryFault) {
   try {
-    configFrom("world: campus\ntrajectory: {rate_hz: -1}\nmasks: {mis_probability: 0.1}\n");
+    configFrom("world: moon\ntrajectory: {rate_hz: -1}\nmasks: {mis_probability: 0.1}\n");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("campus"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("moon"));
     EXPECT_THAT(error.what(), testing::HasSubstr("rate_hz"));
     EXPECT_THAT(error.what(), testing::HasSubstr("miss_probability"));
   }
