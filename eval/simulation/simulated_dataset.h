@@ -32,9 +32,8 @@ struct SimulatedConfig {
   OdometryDriftConfig odometry;
   LidarSensorConfig lidar;  ///< off by default
 
-  /// @param world   "office" (2000 frames), "quick" (two rooms and a corridor, 300 frames),
-  /// "campus"
-  ///                (2300 frames) or "campus_quick" (40 m of its way, 300 frames)
+  /// @param world   "office" (2000 frames) or "quick" (two rooms and a corridor, 300 frames);
+  ///                "campus" (2300 frames) or "campus_quick" (40 m of its way, 300 frames)
   /// @param preset  "clean", "default" or "hard"
   static SimulatedConfig forWorld(const std::string& world, const std::string& preset = "default");
   std::string name() const;  ///< of the dataset: "office_quick_hard"
