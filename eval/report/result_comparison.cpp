@@ -14,6 +14,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
+#include "eval/evaluation/median.h"
 #include "eval/evaluation/method_scores.h"
 #include "eval/report/comparison_table.h"
 #include "eval/report/objects_csv.h"
@@ -71,63 +72,61 @@ Verdict judge(double low, double high, double floor, int better) {
 constexpr std::size_t kFewestStretches = 8;
 
 /// Times of both results over stretches of frames, each in units of the yardstick that was timed
-/// beside it, so that other work on the machine, then or now, is not taken for the program's.
+/// beside it, so that other work on the machine, then or now, is not taken for the program's. Of a
+/// yardstick's times the median counts: threads that wake up late make some of them far too long.
 class Stretches {
  public:
   void addWorld(const FrameTimes& before, const FrameTimes& after) {
     constexpr std::size_t kFrames = 25;
-    const bool has_yardsticks = !before.yardstick_ms.empty() && !after.yardstick_ms.empty();
-    for (std::size_t i = 0; i < before.wall_ms.size(); ++i) {
-      if (i % kFrames == 0) sums_.emplace_back();
-      Sums& sums = sums_.back();
-      sums.wall.a += before.wall_ms[i];
-      sums.wall.b += after.wall_ms[i];
-      sums.yardstick.a += has_yardsticks ? before.yardstick_ms[i] : 1;
-      sums.yardstick.b += has_yardsticks ? after.yardstick_ms[i] : 1;
+    for (std::size_t begin = 0; begin < before.wall_ms.size(); begin += kFrames) {
+      const std::size_t end = std::min(begin + kFrames, before.wall_ms.size());
+      const auto wall = [&](const FrameTimes& times) {
+        return std::accumulate(&times.wall_ms[begin], &times.wall_ms[begin] + (end - begin), 0.0);
+      };
+      const auto yardstick = [&](const FrameTimes& times) {
+        return median(
+            std::vector<double>(times.yardstick_ms.begin() + static_cast<std::ptrdiff_t>(begin),
+                                times.yardstick_ms.begin() + static_cast<std::ptrdiff_t>(end)));
+      };
+      const PairedValue sum{wall(before), wall(after)};
+      wall_.push_back(sum);
+      const bool measured = !before.yardstick_ms.empty() && !after.yardstick_ms.empty();
+      relative_.push_back(
+          measured ? PairedValue{sum.a / yardstick(before), sum.b / yardstick(after)} : sum);
     }
     frames_ += before.wall_ms.size();
   }
 
   /// Nothing where there are no frames.
   std::optional<Line> compared(const NoiseFloor& floor) const {
-    const auto sum = [&](std::span<const std::size_t> drawn) {
-      Sums total;
-      for (const std::size_t i : drawn) {
-        total.wall.a += sums_[i].wall.a;
-        total.wall.b += sums_[i].wall.b;
-        total.yardstick.a += sums_[i].yardstick.a;
-        total.yardstick.b += sums_[i].yardstick.b;
-      }
-      return total;
-    };
-    std::vector<std::size_t> all(sums_.size());
+    std::vector<std::size_t> all(wall_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const Sums total = sum(all);
-    if (total.wall.a <= 0) return std::nullopt;
+    const PairedValue total = sum(wall_, all);
+    if (total.a <= 0) return std::nullopt;
     BootstrapConfig config;
     config.resamples = floor.resamples;
     // All worlds in one stratum: short ones have but a stretch or two.
-    const std::vector<std::size_t> sizes = {sums_.size()};
+    const std::vector<std::size_t> sizes = {wall_.size()};
     const auto change = bootstrapStatistic(
         sizes,
         [&](std::span<const std::size_t> drawn) -> std::optional<double> {
-          const Sums of_draw = sum(drawn);
-          if (of_draw.wall.a <= 0 || of_draw.yardstick.b <= 0) return std::nullopt;
-          return of_draw.wall.b / of_draw.wall.a * (of_draw.yardstick.a / of_draw.yardstick.b) - 1;
+          const PairedValue of_draw = sum(relative_, drawn);
+          if (of_draw.a <= 0) return std::nullopt;
+          return of_draw.b / of_draw.a - 1;
         },
         config);
     Line line;
     line.metric = "time per frame [ms]";
-    line.before = total.wall.a / static_cast<double>(frames_);
-    line.after = total.wall.b / static_cast<double>(frames_);
+    line.before = total.a / static_cast<double>(frames_);
+    line.after = total.b / static_cast<double>(frames_);
     line.low = change->interval.low;
     line.high = change->interval.high;
     // Two runs never take the same time: a little faster is the same, as a little slower is.
-    const bool one_run = std::all_of(sums_.begin(), sums_.end(),
-                                     [](const Sums& sums) { return sums.wall.a == sums.wall.b; });
+    const bool one_run = std::all_of(wall_.begin(), wall_.end(),
+                                     [](const PairedValue& times) { return times.a == times.b; });
     if (one_run) {
       line.verdict = Verdict::kSame;
-    } else if (sums_.size() < kFewestStretches) {
+    } else if (wall_.size() < kFewestStretches) {
       line.verdict = Verdict::kInconclusive;
     } else if (line.low > floor.time_share) {
       line.verdict = Verdict::kWorse;
@@ -141,11 +140,18 @@ class Stretches {
   }
 
  private:
-  struct Sums {  ///< a: before, b: after
-    PairedValue wall;
-    PairedValue yardstick;
-  };
-  std::vector<Sums> sums_;
+  static PairedValue sum(const std::vector<PairedValue>& values,
+                         std::span<const std::size_t> drawn) {
+    PairedValue total;
+    for (const std::size_t i : drawn) {
+      total.a += values[i].a;
+      total.b += values[i].b;
+    }
+    return total;
+  }
+
+  std::vector<PairedValue> wall_;      ///< a: before, b: after [ms]
+  std::vector<PairedValue> relative_;  ///< in units of the yardstick, where both have one
   std::size_t frames_ = 0;
 };
 
