@@ -146,12 +146,15 @@ std::string renderLatex(const ComparisonTable& table) {
   for (const std::size_t c : printed) text += " & " + table.columns[c].latex_title;
   text += " \\\\\n";
   for (const TableBlock& block : table.blocks) {
-    text += fmt::format(
-        "    \\midrule\n    "
-        "\\multirow{{{}}}{{*}}{{\\rotatebox[origin=c]{{90}}{{\\shortstack{{$\\tau_d = "
-        "{:g}$\\,m\\\\{}{}}}}}}}\n",
-        block.rows.size(), block.threshold, escapedLatex(block.matching),
-        hasSeveralDatasets(table) ? "\\\\" + escapedLatex(block.dataset) : "");
+    const std::string what =
+        fmt::format("\\shortstack{{$\\tau_d = {:g}$\\,m\\\\{}{}}}", block.threshold,
+                    escapedLatex(block.matching),
+                    hasSeveralDatasets(table) ? "\\\\" + escapedLatex(block.dataset) : "");
+    constexpr std::size_t kTallEnough = 5;  // rows, for a line of text on its side
+    text += fmt::format("    \\midrule\n    \\multirow{{{}}}{{*}}{{{}}}\n", block.rows.size(),
+                        block.rows.size() < kTallEnough
+                            ? what
+                            : fmt::format("\\rotatebox[origin=c]{{90}}{{{}}}", what));
     for (const TableRow& row : block.rows) {
       text += "    & " + escapedLatex(row.label);
       for (const std::size_t c : printed) {
