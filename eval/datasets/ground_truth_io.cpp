@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "eval/datasets/ground_truth_io.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -52,6 +56,12 @@ std::string objectsYaml(const GroundTruth& ground_truth) {
                         object.visible_fraction, meshFile(i));
     yaml += fmt::format("    T_world_object: {}\n", poseNumbers(object.T_world_object));
   }
+  if (!ground_truth.scene_labels.empty()) yaml += "scene_labels:\n";
+  for (std::size_t f = 0; f < ground_truth.scene_labels.size(); ++f) {
+    const Label label = ground_truth.scene_labels[f];
+    if (f > 0 && label == ground_truth.scene_labels[f - 1]) continue;
+    yaml += fmt::format("  - {{first_face: {}, label: {}}}\n", f, label);
+  }
   return yaml;
 }
 
@@ -69,6 +79,42 @@ Room readRoom(ConfigReader& reader) {
         Aabb(Eigen::Vector3d(low[0], low[1], low[2]), Eigen::Vector3d(high[0], high[1], high[2]));
   }
   return room;
+}
+
+/// The label of all faces from one on.
+struct LabelRun {
+  std::uint64_t first_face = 0;
+  Label label = kUnknownLabel;
+};
+
+LabelRun readLabelRun(ConfigReader& reader, const std::vector<LabelRun>& before) {
+  LabelRun run;
+  for (const char* key : {"first_face", "label"}) reader.require(key);
+  reader.field("first_face", run.first_face);
+  reader.field("label", run.label, {0, 65535});
+  if (before.empty() ? run.first_face != 0 : run.first_face <= before.back().first_face) {
+    reader.fault("first_face", fmt::format("{}, expected 0 for the first and more for each after",
+                                           run.first_face));
+  }
+  return run;
+}
+
+/// @param runs  as readLabelRun() has them
+std::vector<Label> labelsOf(const std::vector<LabelRun>& runs, std::size_t num_faces,
+                            const fs::path& folder) {
+  if (runs.empty()) return {};
+  if (runs.back().first_face >= num_faces) {
+    throw InputError(fmt::format("{}: scene_labels: first_face {}, but {} has {} faces",
+                                 (folder / kObjectsFile).string(), runs.back().first_face,
+                                 kSceneFile, num_faces));
+  }
+  std::vector<Label> labels(num_faces);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::size_t end = r + 1 < runs.size() ? runs[r + 1].first_face : num_faces;
+    std::fill(labels.begin() + static_cast<std::ptrdiff_t>(runs[r].first_face),
+              labels.begin() + static_cast<std::ptrdiff_t>(end), runs[r].label);
+  }
+  return labels;
 }
 
 GroundTruthObject readObject(ConfigReader& reader, fs::path& mesh, std::set<ObjectId>& ids) {
@@ -123,6 +169,10 @@ GroundTruth readGroundTruth(const fs::path& folder) {
   ConfigReader reader(ConfigDocument::fromFile(folder / kObjectsFile));
   std::set<ObjectId> ids;
   for (ConfigReader& room : reader.list("rooms")) ground_truth.rooms.push_back(readRoom(room));
+  std::vector<LabelRun> label_runs;
+  for (ConfigReader& run : reader.list("scene_labels")) {
+    label_runs.push_back(readLabelRun(run, label_runs));
+  }
   for (ConfigReader& object : reader.list("objects")) {
     ground_truth.objects.push_back(readObject(object, meshes.emplace_back(), ids));
   }
@@ -136,6 +186,7 @@ GroundTruth readGroundTruth(const fs::path& folder) {
     ground_truth.objects[i].mesh = std::make_shared<const Mesh>(readMesh(meshes[i]));
   });
   if (fs::exists(folder / kSceneFile)) ground_truth.scene_mesh = readMesh(folder / kSceneFile);
+  ground_truth.scene_labels = labelsOf(label_runs, ground_truth.scene_mesh.faces.size(), folder);
   if (fs::exists(folder / kTrajectoryFile)) {
     ground_truth.trajectory = readPoses(folder / kTrajectoryFile);
   }

@@ -135,6 +135,15 @@ TEST_F(FolderFaults, EmptyGroundTruth) {
             "object (without any, leave the folder out)");
 }
 
+TEST_F(FolderFaults, LabelsOfTheSceneThatDoNotFitItsFaces) {
+  const auto complaint = [&] { return messageOf<InputError>([&] { openDataset(folder_ / "d"); }); };
+  replaceIn("ground_truth/objects.yaml", "first_face: 0, label: 5", "first_face: 1, label: 5");
+  EXPECT_THAT(complaint(), HasSubstr("first_face: 1, expected 0 for the first and more for each"));
+  replaceIn("ground_truth/objects.yaml", "first_face: 1, label: 5", "first_face: 0, label: 5");
+  replaceIn("ground_truth/objects.yaml", ", label: 19", "0000, label: 19");
+  EXPECT_THAT(complaint(), HasSubstr("scene_labels: first_face "));
+}
+
 TEST_F(FolderFaults, GroundTruthObjectsThatAreMalformed) {
   replaceIn("ground_truth/objects.yaml", "id: 5692549928996306947", "id: 1");
   EXPECT_EQ(fault(),

@@ -94,6 +94,7 @@ TEST(FolderDataset, ReadsBackTheFramesAndGroundTruthThatWereExported) {
   EXPECT_TRUE(read.hasGroundTruth());
   expectSameGroundTruth(read.groundTruth(), toy.groundTruth());
   expectSameMesh(read.groundTruth().scene_mesh, toy.groundTruth().scene_mesh);
+  EXPECT_EQ(read.groundTruth().scene_labels, toy.groundTruth().scene_labels);
   ASSERT_EQ(read.labelSpace().entries.size(), 3u);
   EXPECT_EQ(read.labelSpace().entries[1].name, "chair: \"tall\"");
   EXPECT_EQ(read.labelSpace().entries[1].color, (Rgb{102, 255, 0}));
@@ -226,6 +227,8 @@ TEST(FolderDataset, TheGeneratedWorldSurvivesExport) {
   expected.trajectory.resize(3);
   expectSameGroundTruth(opened.dataset->groundTruth(), expected);
   expectSameMesh(opened.dataset->groundTruth().scene_mesh, expected.scene_mesh);
+  EXPECT_EQ(opened.dataset->groundTruth().scene_labels, expected.scene_labels);
+  EXPECT_EQ(expected.scene_labels.size(), expected.scene_mesh.faces.size());
 }
 
 }  // namespace

@@ -42,6 +42,8 @@ class ToyDataset : public Dataset {
       append(transformed(object.T_world_object, mesh), ground_truth_.scene_mesh);
     }
     ground_truth_.scene_mesh.colors.clear();
+    ground_truth_.scene_labels.assign(ground_truth_.scene_mesh.faces.size(), 5);
+    ground_truth_.scene_labels.back() = 19;
     roundToFloat(ground_truth_.scene_mesh);
     ground_truth_.rooms.push_back(
         {"meeting_1", Aabb(Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(1.0 / 3.0, 2, 3))});
