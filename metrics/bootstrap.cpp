@@ -14,16 +14,17 @@ namespace hydrabench {
 namespace {
 
 /// Quantile by linear interpolation between order statistics (type 7 of Hyndman and Fan, 1996).
-double quantile(std::span<const double> ascending, double fraction) {
-  const double position = fraction * static_cast<double>(ascending.size() - 1);
-  const auto below = static_cast<std::size_t>(std::floor(position));
-  const std::size_t above = std::min(below + 1, ascending.size() - 1);
-  const double weight = position - static_cast<double>(below);
-  return ascending[below] + weight * (ascending[above] - ascending[below]);
+/// Changes the order of the values.
+double quantile(std::vector<double>& values, double fraction) {
+  const double position = fraction * static_cast<double>(values.size() - 1);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::floor(position));
+  std::nth_element(values.begin(), at, values.end());
+  const double below = *at;
+  const double above = at + 1 == values.end() ? below : *std::min_element(at + 1, values.end());
+  return below + (position - std::floor(position)) * (above - below);
 }
 
 Interval percentileInterval(std::vector<double>& statistics, double confidence) {
-  std::sort(statistics.begin(), statistics.end());
   const double tail = (1 - confidence) / 2;
   return {quantile(statistics, tail), quantile(statistics, 1 - tail)};
 }

@@ -107,7 +107,10 @@ int sweep(const Options& options) {
   std::vector<UnitFailure> failures;
   std::size_t predictions = 0;
   for (std::size_t i = 0; i < experiments.size(); ++i) {
-    outcomes.push_back(assembled(experiments[i], plan.experiments[i], plan, store));
+    ExperimentConfig experiment = experiments[i];
+    // The sweep of tau_O has scores and intervals of its own.
+    if (!study.tau_o_method.empty()) experiment.evaluation.bootstrap_resamples = 0;
+    outcomes.push_back(assembled(experiment, plan.experiments[i], plan, store));
     predictions += outcomes.back().predictions;
     for (UnitFailure& failure : outcomes.back().failures) {
       for (std::size_t a = 0; a < study.axes.size(); ++a) {
