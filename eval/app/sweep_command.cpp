@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unistd.h>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "core/graph/candidate_io.h"
 #include "core/io/atomic_file.h"
+#include "core/parallel/parallel_for.h"
 #include "core/types/error.h"
 #include "eval/app/app.h"
 #include "eval/app/execution.h"
@@ -66,13 +68,17 @@ void writeTauO(const Study& study, const Plan& plan, const UnitStore& store,
   const DecisionConfig& decision = *experiment.methods.front().decision;
   const double used = decision.rmcc.min_overlap;
   for (const Plan::PlannedDataset& dataset : plan.experiments.front()) {
-    std::vector<TauOWorld> worlds;
-    for (const Plan::PlannedWorld& world : dataset.worlds) {
-      const Plan::Cell& cell = world.cells.front();
-      if (!store.isDone(cell.run) || !store.isDone(cell.score)) continue;
+    std::vector<std::optional<TauOWorld>> read(dataset.worlds.size());
+    parallelFor(read.size(), [&](std::size_t i) {
+      const Plan::Cell& cell = dataset.worlds[i].cells.front();
+      if (!store.isDone(cell.run) || !store.isDone(cell.score)) return;
       const MethodEvaluation evaluation = readEvaluation(store.scoreFile(cell.score));
-      if (!evaluation.isScored()) continue;
-      worlds.push_back({readCandidates(store.runFolder(cell.run)), countingOf(evaluation)});
+      if (!evaluation.isScored()) return;
+      read[i] = {readCandidates(store.runFolder(cell.run)), countingOf(evaluation)};
+    });
+    std::vector<TauOWorld> worlds;
+    for (std::optional<TauOWorld>& world : read) {
+      if (world) worlds.push_back(std::move(*world));
     }
     if (worlds.empty()) continue;
     const std::vector<TauOStep> steps = sweepTauO(worlds, decision, experiment.evaluation);
@@ -107,10 +113,9 @@ int sweep(const Options& options) {
   std::vector<UnitFailure> failures;
   std::size_t predictions = 0;
   for (std::size_t i = 0; i < experiments.size(); ++i) {
-    ExperimentConfig experiment = experiments[i];
-    // The sweep of tau_O has scores and intervals of its own.
-    if (!study.tau_o_method.empty()) experiment.evaluation.bootstrap_resamples = 0;
-    outcomes.push_back(assembled(experiment, plan.experiments[i], plan, store));
+    outcomes.push_back(
+        assembled(experiments[i], plan.experiments[i], plan, store,
+                  study.tau_o_method.empty() ? Scores::kAssembled : Scores::kLeftOut));
     predictions += outcomes.back().predictions;
     for (UnitFailure& failure : outcomes.back().failures) {
       for (std::size_t a = 0; a < study.axes.size(); ++a) {

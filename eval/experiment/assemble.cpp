@@ -61,7 +61,8 @@ bool isDecidedAsMapped(const MethodConfig& method) {
 }
 
 Gathered gather(const ExperimentConfig& experiment, const MethodConfig& method,
-                const std::string& dataset, const Plan::Cell& cell, const UnitStore& store) {
+                const std::string& dataset, const Plan::Cell& cell, const UnitStore& store,
+                Scores scores) {
   Gathered gathered;
   const auto fail = [&](const std::string& hash) {
     gathered.failure = store.failure(hash).value_or("not done");
@@ -74,6 +75,7 @@ Gathered gather(const ExperimentConfig& experiment, const MethodConfig& method,
   gathered.frame_times = frameTimesOf(run, dataset, method.name);
   gathered.frame_period_s = readRunRecord(run / kRunRecordFile).frame_period_s;
   if (!store.isDone(cell.score)) return fail(cell.score);
+  if (scores == Scores::kLeftOut) return gathered;
   MethodEvaluation evaluation = readEvaluation(store.scoreFile(cell.score));
   evaluation.dataset = dataset;
   evaluation.method = method.name;
@@ -84,8 +86,9 @@ Gathered gather(const ExperimentConfig& experiment, const MethodConfig& method,
 
 class Assembly {
  public:
-  Assembly(const ExperimentConfig& experiment, const Plan& plan, const UnitStore& store)
-      : experiment_(experiment), plan_(plan), store_(store) {
+  Assembly(const ExperimentConfig& experiment, const Plan& plan, const UnitStore& store,
+           Scores scores)
+      : experiment_(experiment), plan_(plan), store_(store), scores_(scores) {
     outcome_.result.evaluation = experiment.evaluation;
     std::string& config = outcome_.result.config;
     config = "experiment:\n" + indented(experiment.resolved_config, 2) + "methods:\n";
@@ -106,7 +109,7 @@ class Assembly {
     parallelFor(all.size(), [&](std::size_t i) {
       const std::size_t m = i % num_methods;
       all[i] = gather(experiment_, experiment_.methods[m], dataset.name,
-                      dataset.worlds[i / num_methods].cells[m], store_);
+                      dataset.worlds[i / num_methods].cells[m], store_, scores_);
     });
     const std::size_t first = outcome_.result.evaluations.size();
     bool scored = false;
@@ -181,6 +184,7 @@ class Assembly {
   const ExperimentConfig& experiment_;
   const Plan& plan_;
   const UnitStore& store_;
+  Scores scores_;
   ExperimentOutcome outcome_;
 };
 
@@ -205,8 +209,8 @@ void linkFiles(const fs::path& from, const fs::path& to) {
 
 ExperimentOutcome assembled(const ExperimentConfig& experiment,
                             const Plan::PlannedExperiment& planned, const Plan& plan,
-                            const UnitStore& store) {
-  Assembly assembly(experiment, plan, store);
+                            const UnitStore& store, Scores scores) {
+  Assembly assembly(experiment, plan, store, scores);
   for (const Plan::PlannedDataset& dataset : planned) assembly.add(dataset);
   return assembly.take();
 }

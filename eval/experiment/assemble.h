@@ -27,11 +27,14 @@ struct ExperimentOutcome {
   std::map<std::string, double> frame_period_s;  ///< per dataset
 };
 
+/// kLeftOut: times, failures and config alone, for whoever has scores of its own.
+enum class Scores { kAssembled, kLeftOut };
+
 /// Gathers an experiment from the store: matches, scores and intervals are made from what the
 /// scored pairs gave, worlds of a dataset also together. A function of the store's content.
 ExperimentOutcome assembled(const ExperimentConfig& experiment,
                             const Plan::PlannedExperiment& planned, const Plan& plan,
-                            const UnitStore& store);
+                            const UnitStore& store, Scores scores = Scores::kAssembled);
 
 /// Puts the predictions of an experiment into folder/predictions/DATASET/SEED/METHOD. Files that
 /// stand in the store are linked, or copied where the file system cannot.
