@@ -57,7 +57,8 @@ class LidarProjection {
     return true;
   }
 
-  /// Rays per solid angle at the horizon.
+  /// Rays per solid angle at the horizon. (Hydra takes a virtual focal length of 45 degrees' worth
+  /// of pixels in either direction, which gives a constant share of this.)
   float focalArea() const { return columns_per_radian_ * rows_per_radian_; }
   float inverseDepth(const Eigen::Vector3f& p) const { return 1.0f / p.norm(); }
 
