@@ -128,9 +128,9 @@ class Stretches {
       line.verdict = Verdict::kSame;
     } else if (wall_.size() < kFewestStretches) {
       line.verdict = Verdict::kInconclusive;
-    } else if (line.low > floor.time_share) {
+    } else if (line.low > floor.time_share / 2) {
       line.verdict = Verdict::kWorse;
-    } else if (line.high < -floor.time_share) {
+    } else if (line.high < -floor.time_share / 2) {
       line.verdict = Verdict::kBetter;
     } else {
       const bool within = line.low >= -floor.time_share && line.high <= floor.time_share;

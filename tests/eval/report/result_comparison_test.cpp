@@ -168,6 +168,8 @@ TEST_F(CompareResults, FivePerCentSlowerIsSeenAndOnePerCentIsNot) {
   write("b", {finder(30, 0.8)}, 10.5);
   EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kWorse);
   EXPECT_NEAR(line(compare(), kTime).after / line(compare(), kTime).before, 1.05, 1e-4);
+  write("b", {finder(30, 0.8)}, 10.3);  // surely more than half of the floor
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kWorse);
   write("b", {finder(30, 0.8)}, 10.1);
   EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kSame);
   write("b", {finder(30, 0.8)}, 9.9);
@@ -180,6 +182,16 @@ TEST_F(CompareResults, TimesOfADisturbedMachineAreInconclusive) {
   write("a", {finder(30, 0.8)}, 10);
   other_work_ = 2;
   write("b", {finder(30, 0.8)}, 10);
+  EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
+}
+
+TEST_F(CompareResults, FivePerCentSlowerOnADisturbedMachineIsNotTheSame) {
+  write("a", {finder(30, 0.8)}, 10);
+  other_work_ = 1.5;
+  write("b", {finder(30, 0.8)}, 10);
+  write("c", {finder(30, 0.8)}, 10 * 1.05);
+  const ResultComparison comparison = compareResults(folder_ / "b", folder_ / "c", {});
+  EXPECT_NE(line(comparison, kTime).verdict, Verdict::kSame);
   EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
 }
 
