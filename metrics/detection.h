@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -73,7 +74,7 @@ struct DetectionCounts {
   std::size_t found_truths = 0;
 
   DetectionCounts& operator+=(const DetectionCounts& other);
-  friend bool operator==(const DetectionCounts&, const DetectionCounts&) = default;
+  friend auto operator<=>(const DetectionCounts&, const DetectionCounts&) = default;
 };
 using CountsByClass = std::map<Label, DetectionCounts>;
 

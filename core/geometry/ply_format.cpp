@@ -230,6 +230,12 @@ std::uint8_t channelOf(double value, Type type) {
       std::lround(std::clamp(is_fraction ? 255 * value : value, 0.0, 255.0)));
 }
 
+/// What rows are read into, kept from one to the next.
+struct Row {
+  std::vector<double> values;
+  std::vector<int> corners;
+};
+
 /// Reads the list property of one row.
 void takeList(const Property& property, Body& body, std::vector<double>& values) {
   const double count = body.take(property.count_type);
@@ -241,15 +247,14 @@ void takeList(const Property& property, Body& body, std::vector<double>& values)
   for (double i = 0; i < count; ++i) values.push_back(body.take(property.type));
 }
 
-void takeVertex(const Element& element, const std::vector<int>& slots, Body& body, Mesh& mesh,
-                bool has_colors) {
+void takeVertex(const Element& element, const std::vector<int>& slots, Body& body, Row& row,
+                Mesh& mesh, bool has_colors) {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::array<std::uint8_t, 3> color = {};
-  std::vector<double> ignored;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const Property& property = element.properties[i];
     if (property.is_list) {
-      takeList(property, body, ignored);
+      takeList(property, body, row.values);
       continue;
     }
     const double value = body.take(property.type);
@@ -262,9 +267,10 @@ void takeVertex(const Element& element, const std::vector<int>& slots, Body& bod
   if (has_colors) mesh.colors.push_back({color[0], color[1], color[2]});
 }
 
-void takeFace(const Element& element, Body& body, Mesh& mesh) {
-  std::vector<double> values;
-  std::vector<int> corners;
+void takeFace(const Element& element, Body& body, Row& row, Mesh& mesh) {
+  std::vector<double>& values = row.values;
+  std::vector<int>& corners = row.corners;
+  corners.clear();
   for (const Property& property : element.properties) {
     if (!property.is_list) {
       body.take(property.type);
@@ -320,24 +326,24 @@ void takeElement(const Element& element, Body& body, Mesh& mesh) {
   } else if (is_face) {
     mesh.faces.reserve(element.count);
   }
-  std::vector<double> ignored;
-  for (std::uint64_t row = 0; row < element.count; ++row) {
+  Row row;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
     try {
       if (is_vertex) {
-        takeVertex(element, slots, body, mesh, has_colors);
+        takeVertex(element, slots, body, row, mesh, has_colors);
       } else if (is_face) {
-        takeFace(element, body, mesh);
+        takeFace(element, body, row, mesh);
       } else {
         for (const Property& property : element.properties) {
           if (property.is_list)
-            takeList(property, body, ignored);
+            takeList(property, body, row.values);
           else
             body.take(property.type);
         }
       }
     } catch (const InputError& error) {
-      throw InputError(fmt::format("element {} row {} of {}: {}", element.name, row, element.count,
-                                   error.what()));
+      throw InputError(
+          fmt::format("element {} row {} of {}: {}", element.name, i, element.count, error.what()));
     }
   }
 }

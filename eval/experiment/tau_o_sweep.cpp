@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -88,21 +89,34 @@ std::vector<TauOStep> sweepTauO(const std::vector<TauOWorld>& worlds,
       }
     }
   }
+  // Of neighbouring steps many count the same: their intervals are one, and drawn once.
+  std::vector<std::vector<CountsByClass>> by_class(steps.size());
   parallelFor(steps.size(), [&](std::size_t i) {
     TauOStep& step = steps[i];
     DecisionConfig at = decision;
     at.rmcc.check = "published";
     at.rmcc.min_overlap = step.tau_o;
-    std::vector<CountsByClass> by_class(step.scores.size());
+    by_class[i].resize(step.scores.size());
     for (const World& world : measured) {
-      step.objects += world.addMatches(at, step.scores, by_class);
-    }
-    if (config.bootstrap_resamples == 0) return;
-    for (std::size_t k = 0; k < step.scores.size(); ++k) {
-      step.scores[k].ci95 =
-          bootstrapDetection(by_class[k], Averaging::kMicro, config.bootstrapConfig());
+      step.objects += world.addMatches(at, step.scores, by_class[i]);
     }
   });
+  if (config.bootstrap_resamples == 0) return steps;
+  std::map<CountsByClass, DetectionIntervals> intervals;
+  for (const auto& step : by_class) {
+    for (const CountsByClass& counts : step) intervals.try_emplace(counts);
+  }
+  std::vector<decltype(intervals)::pointer> drawn;
+  for (auto& entry : intervals) drawn.push_back(&entry);
+  parallelFor(drawn.size(), [&](std::size_t i) {
+    drawn[i]->second =
+        bootstrapDetection(drawn[i]->first, Averaging::kMicro, config.bootstrapConfig());
+  });
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (std::size_t k = 0; k < steps[i].scores.size(); ++k) {
+      steps[i].scores[k].ci95 = intervals.at(by_class[i][k]);
+    }
+  }
   return steps;
 }
 
