@@ -57,6 +57,9 @@ TrainingState trainCrispModel(const CrispTrainingConfig& config, const std::stri
   requireSameConfig(out / "config.yaml", resolved);
   torch::manual_seed(config.seed);
   PointNetwork network(networkOptions(config));
+  if (!config.start_from.empty()) {
+    loadWeights(*network, readCrispManifest(config.start_from / "manifest.yaml").weights);
+  }
   const TrainingState state = trainCrisp(config, out, network, progress, stop);
   if (state != TrainingState::kNoNetworkYet) writeModel(config, out / "model", network);
   return state;

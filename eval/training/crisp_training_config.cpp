@@ -56,6 +56,7 @@ void CrispTrainingConfig::useStreetClasses() {
 
 void read(ConfigReader& reader, CrispTrainingConfig& config) {
   reader.field("seed", config.seed);
+  reader.path("start_from", config.start_from);
   auto worlds = reader.section("worlds");
   read(worlds, config.worlds);
   if (config.worlds.world == "street") config.useStreetClasses();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -14,6 +15,8 @@ namespace hydrabench {
 /// How the small CRISP network is trained (configs/training/*.yaml).
 struct CrispTrainingConfig {
   std::uint64_t seed = 1;
+  /// Model folder whose weights the network begins with, of the same sizes; empty: random ones.
+  std::filesystem::path start_from;
   TrainingWorldConfig worlds;
   /// Of the world's classes: those of rooms unless said otherwise.
   std::map<std::string, double> class_weights = {

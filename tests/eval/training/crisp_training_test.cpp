@@ -12,6 +12,7 @@
 #include "core/parallel/parallel_for.h"
 #include "core/shape/crisp/crisp_model.h"
 #include "core/shape/crisp/torch_runtime.h"
+#include "core/shape/crisp/torch_weights.h"
 #include "core/types/error.h"
 #include "tests/eval/training/toy_samples.h"
 #include "tests/support/temporary_folder.h"
@@ -43,6 +44,16 @@ bool sameWeights(PointNetwork a, PointNetwork b) {
   return std::all_of(left.begin(), left.end(), [&](const auto& item) {
     return torch::equal(item.value(), right[item.key()]);
   });
+}
+
+double largestDifference(PointNetwork a, PointNetwork b) {
+  double largest = 0;
+  const auto right = b->named_parameters();
+  for (const auto& item : a->named_parameters()) {
+    const torch::Tensor difference = (item.value() - right[item.key()]).abs();
+    largest = std::max(largest, difference.max().item<double>());
+  }
+  return largest;
 }
 
 constexpr int kAll = std::numeric_limits<int>::max();
@@ -120,6 +131,34 @@ TEST_F(CrispTraining, LeavesAModelThatAnEstimatorCanLoad) {
   EXPECT_THAT(messageOf<InputError>(
                   [&] { trainCrispModel(config_, "a: 2\n", folder_ / "through", quiet, stop); }),
               ::testing::HasSubstr("config.yaml: belongs to a training with other settings"));
+}
+
+TEST_F(CrispTraining, BeginsWithTheWeightsOfAnotherModel) {
+  const TrainingProgress quiet = [](const auto&...) {};
+  const StopRequest never = [] { return false; };
+  trainCrispModel(config_, "a: 1\n", folder_ / "through", quiet, never);
+  config_.seed = 2;
+  config_.start_from = folder_ / "through/model";
+  config_.decoder.learning_rate = config_.joint.learning_rate = 1e-8;
+  trainCrispModel(config_, "a: 2\n", folder_ / "stopped", quiet, never);
+  PointNetwork first = newNetwork(config_);
+  loadWeights(*first, folder_ / "through/model/weights.safetensors");
+  PointNetwork second = newNetwork(config_);
+  EXPECT_GT(largestDifference(first, second), 0.01);
+  loadWeights(*second, folder_ / "stopped/model/weights.safetensors");
+  EXPECT_LT(largestDifference(first, second), 1e-4);
+}
+
+TEST_F(CrispTraining, SaysThatTheModelToBeginWithHasOtherSizes) {
+  const TrainingProgress quiet = [](const auto&...) {};
+  trainCrispModel(config_, "a: 1\n", folder_ / "through", quiet, [] { return false; });
+  config_.start_from = folder_ / "through/model";
+  config_.network.dim = 32;
+  EXPECT_THAT(messageOf<InputError>([&] {
+                trainCrispModel(config_, "a: 2\n", folder_ / "stopped", quiet,
+                                [] { return false; });
+              }),
+              ::testing::HasSubstr("through/model/weights.safetensors"));
 }
 
 TEST_F(CrispTraining, MayAskForMoreShapesPerStepThanThereAre) {
