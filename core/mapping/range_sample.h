@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/types/color.h"
 #include "core/types/image.h"
@@ -16,7 +17,7 @@ enum class Interpolation { kNearest, kBilinear, kAdaptive };
 /// The pixels that speak for a place between pixels, with weights that add up to 1.
 struct RangeSample {
   float range = 0;  ///< [m]
-  int count = 0;    ///< 1 or 4
+  int count = 0;    ///< 1, 2 or 4
   std::array<std::size_t, 4> pixels;
   std::array<float, 4> weights;
 };
@@ -59,6 +60,32 @@ class RangeSampler {
     sample.weights = {(1 - du) * (1 - dv), du * (1 - dv), (1 - du) * dv, du * dv};
     sample.range = sample.weights[0] * r00 + sample.weights[1] * r10 + sample.weights[2] * r01 +
                    sample.weights[3] * r11;
+    return true;
+  }
+
+  /// On the ground between two rows, as if it were a plane there: 1/range is a straight line in the
+  /// angle. False unless both rows next to v measured ground in the column next to u.
+  /// @param ground    pixels other than 0 see ground
+  /// @param farthest  the larger range of the two rows [m]
+  bool betweenRows(float u, float v, const Image<std::uint8_t>& ground, RangeSample& sample,
+                   float& farthest) const {
+    const float v_on = std::clamp(v, 0.0f, static_cast<float>(v_max_));
+    const int u0 = std::min(static_cast<int>(u + 0.5f), u_max_);
+    const int v0 = std::max(std::min(static_cast<int>(v_on), v_max_ - 1), 0);
+    const std::size_t upper = index(u0, v0);
+    const std::size_t lower = index(u0, std::min(v0 + 1, v_max_));
+    const float upper_range = range_[upper];
+    const float lower_range = range_[lower];
+    if (upper_range == 0.0f || lower_range == 0.0f) return false;
+    if (ground.data()[upper] == 0 || ground.data()[lower] == 0) return false;
+    const float dv = v_on - static_cast<float>(v0);
+    sample.count = 2;
+    sample.pixels[0] = upper;
+    sample.pixels[1] = lower;
+    sample.weights[0] = 1 - dv;
+    sample.weights[1] = dv;
+    sample.range = 1 / ((1 - dv) / upper_range + dv / lower_range);
+    farthest = std::max(upper_range, lower_range);
     return true;
   }
 

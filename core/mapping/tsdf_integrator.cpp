@@ -51,6 +51,8 @@ class FrameUpdate {
         min_weight_(static_cast<float>(config.min_weight)),
         max_weight_(static_cast<float>(config.max_weight)),
         ground_weight_(static_cast<float>(config.ground_band.weight)),
+        between_rows_(view.lidar && view.ground && config.ground_band.extra_m > 0 &&
+                      config.ground_band.between_rows),
         behind_(truncation_ +
                 (view.ground ? static_cast<float>(config.ground_band.extra_m) : 0.0f)) {
     assert(view.color == nullptr || view.color->size() == view.range.size());
@@ -157,10 +159,16 @@ class FrameUpdate {
     float u = 0;
     float v = 0;
     RangeSample sample;
-    if (!projection_.project(p, u, v) || !sampler_.sample(u, v, sample)) return false;
-    const float distance = sample.range - std::sqrt(squared);
+    if (!projection_.project(p, u, v)) return false;
+    float farthest = 0;
+    if (!between_rows_ || !sampler_.betweenRows(u, v, *view_.ground, sample, farthest)) {
+      if (!sampler_.sample(u, v, sample)) return false;
+      farthest = sample.range;
+    }
+    const float range = std::sqrt(squared);
+    const float distance = sample.range - range;
     if (!(distance >= -truncation_))
-      return updateBehindGround(distance, sample, block.voxels[voxel]);
+      return updateBehindGround(farthest - range, sample, block.voxels[voxel]);
     const float sdf = std::min(distance, truncation_);
     const float w = weight(p, sdf);
     TsdfVoxel& tsdf = block.voxels[voxel];
@@ -177,6 +185,7 @@ class FrameUpdate {
   }
 
   /// The ground band: a voxel farther behind the surface than the truncation distance.
+  /// @param distance  behind the farthest ground that the measurement speaks of
   bool updateBehindGround(float distance, const RangeSample& sample, TsdfVoxel& voxel) const {
     if (!(distance >= -behind_) || view_.ground == nullptr) return false;
     if (chooseId(*view_.ground, sample) == 0) return false;
@@ -237,6 +246,7 @@ class FrameUpdate {
   const float min_weight_;
   const float max_weight_;
   const float ground_weight_;
+  const bool between_rows_;
   const float behind_;  ///< how far behind the surface anything may be written [m]
   float dropoff_start_ = -std::numeric_limits<float>::infinity();
   float dropoff_slope_ = 0;
@@ -324,6 +334,7 @@ void read(ConfigReader& reader, TsdfIntegrator::Config& config) {
   auto ground_band = reader.section("ground_band");
   ground_band.field("extra_m", config.ground_band.extra_m, {0, 100});
   ground_band.field("weight", config.ground_band.weight, {1e-12, 1e6});
+  ground_band.field("between_rows", config.ground_band.between_rows);
 }
 
 }  // namespace hydrabench

@@ -32,6 +32,12 @@ class TsdfIntegrator {
   struct GroundBand {
     double extra_m = 0;    ///< the paper's d_extra; 0: off
     double weight = 1e-3;  ///< a mesh that asks for more has none of it, see mesh_min_weight
+    /// Rows of a lidar meet the ground metres apart: seen from 0.5 m, rows of 0.4 degrees are 6 m
+    /// apart at 20 m. So a voxel between two rows that both measured ground is compared with the
+    /// plane through both instead of the nearer row, whose range is wrong by up to half of that,
+    /// and the reach of the band counts from the farther row. Not in the paper. false: the nearer
+    /// row decides, as everywhere else.
+    bool between_rows = true;
   };
   struct Config {
     /// nearest, bilinear, or adaptive: bilinear unless the four ranges around the projection differ

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hydrabench authors
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ TsdfVolume fused(const SensorView& view, double extra_m, double weight = 1e-3) {
   TsdfVolume volume(grid);
   TsdfIntegrator::Config config;
   config.constant_weight = true;
-  config.ground_band = {.extra_m = extra_m, .weight = weight};
+  config.ground_band = {.extra_m = extra_m, .weight = weight, .between_rows = false};
   TsdfIntegrator(config).integrate(view, volume);
   return volume;
 }
@@ -104,6 +105,108 @@ TEST(GroundBand, IsOutweighedByWhatIsTrulySeen) {
   TsdfIntegrator(config).integrate(farther.view, volume);
   // 57.3 * 28.6 rays in a square of 0.2 m at 8 m: about 1 against 0.001.
   EXPECT_GT(at(volume, 8.1).distance, 0.39);
+}
+
+/// A lidar 0.5 m above flat ground, rows a degree apart: they meet it 14.3 m and 28.6 m away, and
+/// nearer.
+struct FlatGround {
+  static constexpr double kHeight = 0.5;
+  FlatGround() : ground(361, 16, 0) {
+    view.lidar = LidarModel{.columns = 360, .rows = 16, .top_rad = 0, .bottom_rad = -15 * kDegree};
+    view.range = Image<float>(361, 16, 0);
+    for (int v = 1; v < 16; ++v) {
+      for (int u = 175; u < 186; ++u) {  // to the front
+        view.range(u, v) = static_cast<float>(kHeight / std::sin(v * kDegree));
+        ground(u, v) = 1;
+      }
+    }
+    view.min_range_m = 0.4;
+    view.max_range_m = 16;
+    view.ground = &ground;
+    summarizeRange(view);
+  }
+  FlatGround(const FlatGround&) = delete;
+
+  TsdfVolume fused(bool between_rows) const {
+    TsdfVolume::Config grid;
+    grid.voxel_size_m = 0.05;
+    grid.truncation_m = kTruncation;
+    TsdfVolume volume(grid);
+    TsdfIntegrator::Config config;
+    config.constant_weight = true;
+    config.ground_band = {.extra_m = 3, .between_rows = between_rows};
+    TsdfIntegrator(config).integrate(view, volume);
+    return volume;
+  }
+  /// The measured voxels of the column over (x, 0), by height above the ground.
+  static std::map<double, double> column(const TsdfVolume& volume, double x) {
+    const double size = volume.grid().voxel_size;
+    std::map<double, double> distances;
+    for (double z = -kHeight - 0.5; z < 0; z += size) {
+      const TsdfVoxel* voxel = volume.voxel(
+          {static_cast<int>(std::floor(x / size)), 0, static_cast<int>(std::floor(z / size))});
+      const double above = (std::floor(z / size) + 0.5) * size + kHeight;
+      if (voxel != nullptr && voxel->weight > 0) distances[above] = voxel->distance;
+    }
+    return distances;
+  }
+
+  SensorView view;
+  Image<std::uint8_t> ground;
+};
+
+TEST(GroundBand, TellsAboveFromBelowBetweenTwoRowsOfALidar) {
+  const FlatGround scene;
+  const TsdfVolume plane = scene.fused(true);
+  const TsdfVolume nearest = scene.fused(false);
+  int wrong = 0;
+  // From the row at 4.1 m to that at 14.3 m, of 7 to 15 m apart.
+  for (double x = 4.5; x < 14; x += 0.05) {
+    const auto distances = FlatGround::column(plane, x);
+    EXPECT_GT(distances.size(), 4u) << x;
+    for (const auto& [above, distance] : distances) {
+      EXPECT_EQ(distance > 0, above > 0) << "at " << x << ", " << above << " m above the ground";
+    }
+    for (const auto& [above, distance] : FlatGround::column(nearest, x)) {
+      wrong += distance > 0 && above < 0;
+    }
+  }
+  EXPECT_GT(wrong, 50);
+}
+
+TEST(GroundBand, ReachesAsFarAsTheBandBehindTheFartherOfTwoRows) {
+  const FlatGround scene;
+  // 12 m away, a voxel 0.13 to 0.33 m below the ground lies between the rows that met it at 9.55
+  // and 7.17 m. From 0.23 m on the latter is nearer, and 12 m is more than 3.4 m behind it.
+  const auto reach = [&](bool between_rows) {
+    const auto distances = FlatGround::column(scene.fused(between_rows), 12);
+    return distances.empty() ? 0.0 : distances.begin()->first;
+  };
+  EXPECT_NEAR(reach(true), -0.34, 0.025);
+  EXPECT_NEAR(reach(false), -0.23, 0.025);
+}
+
+TEST(GroundBand, TakesTheNearerRowWhereTheOtherOneDidNotMeetGround) {
+  FlatGround scene;
+  for (int v = 0; v < 16; v += 2) {
+    for (int u = 0; u < 361; ++u) scene.ground(u, v) = 0;
+  }
+  const TsdfVolume plane = scene.fused(true);
+  const TsdfVolume nearest = scene.fused(false);
+  for (double x = 3; x < 14; x += 0.5) {
+    EXPECT_EQ(FlatGround::column(plane, x), FlatGround::column(nearest, x)) << x;
+  }
+}
+
+TEST(GroundBand, BetweenRowsIsTheSameWhetherDecidedEarlyOrVoxelByVoxel) {
+  FlatGround scene;
+  const TsdfVolume early = scene.fused(true);
+  scene.view.tiles = {};
+  const TsdfVolume plain = scene.fused(true);
+  EXPECT_EQ(early.blockIndices(), plain.blockIndices());
+  for (double x = 1; x < 16; x += 0.25) {
+    EXPECT_EQ(FlatGround::column(early, x), FlatGround::column(plain, x)) << x;
+  }
 }
 
 TEST(GroundBand, IsTheSameWhetherDecidedEarlyOrVoxelByVoxel) {
