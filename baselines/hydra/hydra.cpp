@@ -102,6 +102,7 @@ void read(ConfigReader& reader, Hydra::Config& config) {
   read(lidar, config.lidar);
   auto window = reader.section("window");
   read(window, config.window);
+  requireBandInMesh(window, config.window, config.lidar);
   auto objects = reader.section("objects");
   read(objects, config.objects);
 }

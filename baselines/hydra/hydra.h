@@ -67,6 +67,7 @@ class Hydra : public MappingSystem {
   void process(const Frame& frame) override;
   SceneGraph finish() override;
   const StageTimes& stageTimes() const override { return times_; }
+  std::vector<std::string> notes() const override { return lidar_.notes(); }
 
   const ActiveWindow& window() const { return window_; }
   const MeshObjects& objects() const { return objects_; }

@@ -74,7 +74,10 @@ void Khronos::extractObjects(const std::vector<Track>& ended) {
 }
 
 std::vector<std::string> Khronos::notes() const {
-  return {"what moves is tracked and kept out of the map, but is no object of the graph"};
+  std::vector<std::string> notes = front_end_.lidarNotes();
+  notes.insert(notes.begin(),
+               "what moves is tracked and kept out of the map, but is no object of the graph");
+  return notes;
 }
 
 void read(ConfigReader& reader, Khronos::Config& config) {

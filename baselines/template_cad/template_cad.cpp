@@ -143,7 +143,8 @@ std::vector<std::string> TemplateCad::notes() const {
                                            : "middle of the extents",
           placement.z == "ground"
               ? fmt::format("on the ground, whose height is given: {} m", placement.ground_z_m)
-              : std::string("mean height of the points"))};
+          : placement.z == "lowest" ? std::string("on the lowest of the points")
+                                    : std::string("mean height of the points"))};
   if (!without.empty()) {
     notes.push_back(fmt::format("no template, no objects: {}", fmt::join(without, ", ")));
   }

@@ -44,7 +44,8 @@ namespace hydrabench {
 ///    front-end takes the PCA of the hull's corners, which depends on how many there are on a side.
 ///    Its back-end draws templates at a yaw that has no relation to the object.
 ///  - Points that lie in one vertical plane span no footprint and give no object: against it.
-///  - Templates stand on the ground, whose height is known: ground_z_m, 0 unless configured.
+///  - Templates stand on the ground, whose height is known: ground_z_m, 0 unless configured. Where
+///    it is not level they stand on the lowest of the points (z: lowest).
 ///  - The sizes of the templates are those of ordinary furniture; SlideSLAM's are a constant times
 ///    the units of its STL files. The templates that come with the program are the nominal shapes
 ///    of the families the world generator draws from: never an evaluated instance, but on built-in

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/template_cad/template_model.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -32,6 +33,15 @@ double meanHeight(std::span<const Vector3d> points) {
   double sum = 0;
   for (const Vector3d& point : points) sum += point.z();
   return sum / static_cast<double>(points.size());
+}
+
+/// Of the points, but for a few that leaked from elsewhere.
+double lowestHeight(std::span<const Vector3d> points) {
+  std::vector<double> heights;
+  for (const Vector3d& point : points) heights.push_back(point.z());
+  const auto fifth_percentile = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 20);
+  std::nth_element(heights.begin(), fifth_percentile, heights.end());
+  return *fifth_percentile;
 }
 
 }  // namespace
@@ -71,7 +81,9 @@ TemplateModel::Placed TemplateModel::place(const PlacementConfig& config,
                                            const Footprint& footprint,
                                            std::span<const Vector3d> points) const {
   const Eigen::Vector2d on_floor = config.position == "centroid" ? center : footprint.center;
-  const double z = config.z == "ground" ? config.ground_z_m : meanHeight(points) - 0.5 * height_;
+  const double z = config.z == "ground"   ? config.ground_z_m
+                   : config.z == "lowest" ? lowestHeight(points)
+                                          : meanHeight(points) - 0.5 * height_;
   const Vector3d position(on_floor.x(), on_floor.y(), z);
   double yaw = 0;
   if (config.yaw == "hull_pca") yaw = footprint.yaw - major_yaw_;
@@ -83,7 +95,7 @@ TemplateModel::Placed TemplateModel::place(const PlacementConfig& config,
     const Transform T_object_world = placed.T_world_object.inverse();
     Aabb extents;
     for (const Vector3d& point : points) extents.extend(T_object_world * point);
-    if (config.z == "ground")
+    if (config.z != "centroid")
       extents.extend(Vector3d(extents.center().x(), extents.center().y(), 0));
     const Vector3d factor = extents.sizes()
                                 .cwiseMax(kMinExtent)
@@ -102,7 +114,7 @@ void read(ConfigReader& reader, PlacementConfig& config) {
   reader.choice("yaw", config.yaw, {"fixed", "hull_pca", "chamfer_search"});
   reader.field("yaw_step_deg", config.yaw_step_deg, Bounds{0.5, 180});
   reader.choice("scale", config.scale, {"fixed", "fitted_to_extents"});
-  reader.choice("z", config.z, {"ground", "centroid"});
+  reader.choice("z", config.z, {"ground", "lowest", "centroid"});
   reader.field("ground_z_m", config.ground_z_m, Bounds{-1e4, 1e4});
 }
 

@@ -32,8 +32,8 @@ struct PlacementConfig {
   /// fixed: the size of the mesh. fitted_to_extents: stretched to the extents of the points along
   /// the template's axes; stronger than SlideSLAM.
   std::string scale = "fixed";
-  /// ground: the template stands at ground_z_m. centroid: its middle is at the mean height of the
-  /// points.
+  /// ground: the template stands at ground_z_m. lowest: at the 5th percentile of the heights of the
+  /// points, for ground that is not level. centroid: its middle is at their mean height.
   std::string z = "ground";
   double ground_z_m = 0;
 };

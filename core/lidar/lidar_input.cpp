@@ -11,6 +11,7 @@
 #include "core/lidar/image_transfer.h"
 #include "core/lidar/lidar_view.h"
 #include "core/lidar/scan_check.h"
+#include "core/mapping/ground/ground_scan.h"
 #include "core/types/error.h"
 
 namespace hydrabench {
@@ -70,7 +71,17 @@ void LidarInput::integrate(const Frame& frame, ActiveWindow& window, StageTimes&
     }
     if (replacesDepth()) depth_.add(std::move(points), scan.T_world_lidar);
     ++num_scans_;
+    num_points_ += scan.points.size();
+    num_without_return_ += static_cast<std::size_t>(
+        std::count_if(scan.points.begin(), scan.points.end(),
+                      [](const Eigen::Vector3f& p) { return !isMeasured(p); }));
   }
+}
+
+std::vector<std::string> LidarInput::notes() const {
+  if (num_without_return_ == 0) return {};
+  return {fmt::format("lidar: {} of {} points are not finite or at the sensor, and passed over",
+                      num_without_return_, num_points_)};
 }
 
 Frame LidarInput::withLidarDepth(const Frame& frame, StageTimes& times) const {
@@ -111,6 +122,17 @@ void read(ConfigReader& reader, LidarInput::Config& config) {
   read(depth, config.depth);
   auto integrator = reader.section("integrator");
   read(integrator, config.integrator);
+}
+
+void requireBandInMesh(ConfigReader& window_reader, const ActiveWindow::Config& window,
+                       const LidarInput::Config& lidar) {
+  const TsdfIntegrator::GroundBand& band = lidar.integrator.ground_band;
+  if (!lidar.enabled || band.extra_m == 0 || window.mesh_min_weight <= band.weight) return;
+  window_reader.fault(
+      "mesh_min_weight",
+      fmt::format("{} is above lidar.integrator.ground_band.weight, {}; expected at most that, or "
+                  "extra_m: 0: the mesh would have nothing of the band",
+                  window.mesh_min_weight, band.weight));
 }
 
 }  // namespace hydrabench

@@ -57,6 +57,8 @@ class LidarInput {
 
   /// Throws InputError if it is enabled and no scan ever came.
   void requireScans() const;
+  /// How many points had no return; nothing where all had one.
+  std::vector<std::string> notes() const;
 
  private:
   Config config_;
@@ -65,8 +67,15 @@ class LidarInput {
   TsdfIntegrator integrator_;
   LidarDepth depth_;
   std::size_t num_scans_ = 0;
+  std::size_t num_points_ = 0;
+  std::size_t num_without_return_ = 0;
 };
 
 void read(ConfigReader& reader, LidarInput::Config& config);
+
+/// A fault of the window's section where the mesh asks for more weight than the ground band gives,
+/// and so would have none of it.
+void requireBandInMesh(ConfigReader& window_reader, const ActiveWindow::Config& window,
+                       const LidarInput::Config& lidar);
 
 }  // namespace hydrabench

@@ -70,6 +70,7 @@ SceneGraph HydraPlusPlus::finish() {
   notes_ = {decisionNote(decision),
             fmt::format("no shape asked for: {} tracks seen too briefly, {} moving",
                         num_short_tracks_, num_moving_tracks_)};
+  for (std::string& note : front_end_.lidarNotes()) notes_.push_back(std::move(note));
   SceneGraph graph;
   graph.label_space = label_space_;
   graph.objects = objectNodes(candidates_, decision, label_space_);

@@ -86,6 +86,7 @@ void read(ConfigReader& reader, ObjectFrontEnd::Config& config) {
   read(lidar, config.lidar);
   auto window = reader.section("window");
   read(window, config.window);
+  requireBandInMesh(window, config.window, config.lidar);
   auto motion = reader.section("motion");
   read(motion, config.motion);
   if (config.motion.enabled && !config.window.track_freespace) {

@@ -52,6 +52,7 @@ class ObjectFrontEnd {
   }
   /// Throws InputError where the lidar is on and there was none.
   void requireScans() const { lidar_.requireScans(); }
+  std::vector<std::string> lidarNotes() const { return lidar_.notes(); }
 
   MaxIouTracker& tracker() { return tracker_; }
   const MaxIouTracker& tracker() const { return tracker_; }

@@ -19,8 +19,11 @@ namespace {
 
 /// One family stands for its class: the one of which the offices have most (over the seeds 1 to
 /// 20). There are as many small bins as large ones; a large one lies between these and water
-/// dispensers.
-constexpr const char* kFamilies[] = {"table_chair", "couch_2_seats", "plant_large", "bin_large"};
+/// dispensers. On campuses likewise; of hydrants there are as many of each kind, and a wet barrel
+/// lies between a dry one and a pillar.
+constexpr const char* kFamilies[] = {"table_chair", "couch_2_seats",      "plant_large",
+                                     "bin_large",   "hydrant_wet_barrel", "car_estate",
+                                     "bench_park"};
 constexpr std::size_t kMaxFaces = 3000;
 constexpr double kMaxError = 0.01;  // [m] far below what a template is wrong by
 

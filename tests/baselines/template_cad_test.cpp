@@ -116,6 +116,15 @@ TEST(TemplateModel, MayHangAtTheHeightOfThePoints) {
   EXPECT_NEAR(bounds(placed.mesh).center().z(), 2, 1e-12);
 }
 
+TEST(TemplateModel, MayStandOnTheLowestOfThePoints) {
+  const TemplateModel model(standingBox(0.2, 0.4, 0.6));
+  std::vector<Vector3d> points = {{0, 0, -3}, {1, 0, 7}, {0, 1, 7}};  // one leaked
+  for (int i = 0; i < 97; ++i) points.emplace_back(0.01 * i, 0.5, 5 + 0.01 * i);
+  const auto placed =
+      model.place({.yaw = "fixed", .z = "lowest"}, Vector2d(0, 0), *footprintOf(points), points);
+  EXPECT_NEAR(bounds(placed.mesh).min().z(), 5.04, 1e-9);
+}
+
 TEST(TemplateModel, TheLongerSideGoesAlongTheFootprint) {
   const TemplateModel model(tinyCouch());
   const double yaw = 0.6;

@@ -3,7 +3,9 @@
 #include "core/lidar/lidar_input.h"
 
 #include <cmath>
+#include <limits>
 #include <set>
+#include <string>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -106,6 +108,49 @@ TEST(LidarInput, SaysSoWhereNoScanEverCame) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("no frame came with a lidar scan"));
   }
+}
+
+TEST(LidarInput, CountsPointsWithoutAReturn) {
+  LidarScan scan = scanOfGround(0.5);
+  const std::size_t count = scan.points.size();
+  LidarInput input(lidar(), kLabels, {});
+  ActiveWindow map(window());
+  StageTimes times;
+  input.integrate(frameWith(scan, 2), map, times);
+  EXPECT_TRUE(input.notes().empty());
+  scan.points[0].setZero();
+  scan.points[1].setConstant(std::numeric_limits<float>::quiet_NaN());
+  input.integrate(frameWith(scan, 2), map, times);
+  EXPECT_THAT(input.notes(),
+              testing::ElementsAre(testing::HasSubstr("2 of " + std::to_string(2 * count) +
+                                                      " points are not finite or at the sensor")));
+}
+
+TEST(LidarInput, RefusesAMeshThatWouldHaveNothingOfTheBand) {
+  const auto faultOf = [](const char* yaml) -> std::string {
+    ConfigReader reader(ConfigDocument::fromString(yaml, "method.yaml"));
+    LidarInput::Config input = lidar();
+    ActiveWindow::Config map;
+    auto section = reader.section("window");
+    read(section, map);
+    auto lidar_section = reader.section("lidar");
+    read(lidar_section, input);
+    requireBandInMesh(section, map, input);
+    try {
+      reader.finish();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(faultOf("window: {mesh_min_weight: 0.5}\n"),
+              testing::HasSubstr("mesh_min_weight: 0.5 is above "
+                                 "lidar.integrator.ground_band.weight, 0.001"));
+  EXPECT_EQ(faultOf("window: {mesh_min_weight: 0.001}\n"), "");
+  EXPECT_EQ(faultOf("window: {mesh_min_weight: 0.5}\n"
+                    "lidar: {integrator: {ground_band: {extra_m: 0}}}\n"),
+            "");
+  EXPECT_EQ(faultOf("window: {mesh_min_weight: 0.5}\nlidar: {enabled: false}\n"), "");
 }
 
 TEST(LidarInput, RefusesGroundClassesTheDatasetDoesNotHave) {
