@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/process/child_process.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -25,6 +27,20 @@ constexpr int kNotStarted = 127;
 
 void closeHandle(int& handle) {
   if (handle >= 0) ::close(std::exchange(handle, -1));
+}
+
+/// False where nothing happened until the deadline. An end or an error counts as happened.
+bool readyBefore(ChildProcess::Deadline deadline, int handle, short events) {
+  while (true) {
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+    const auto most = std::chrono::milliseconds(1'000'000);
+    pollfd waiting{handle, events, 0};
+    const int timeout_ms = static_cast<int>(std::clamp(left, left.zero(), most).count());
+    const int ready = ::poll(&waiting, 1, timeout_ms);
+    if (ready > 0) return true;
+    if (left <= left.zero()) return false;
+  }
 }
 
 }  // namespace
@@ -105,6 +121,25 @@ bool ChildProcess::send(std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
   return true;
+}
+
+ChildProcess::Io ChildProcess::send(std::string_view bytes, Deadline deadline) {
+  while (!bytes.empty()) {
+    if (!readyBefore(deadline, input_, POLLOUT)) return Io::kLate;
+    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (sent < 0) return Io::kClosed;
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
+  }
+  return Io::kDone;
+}
+
+ChildProcess::Io ChildProcess::receive(std::string& received, Deadline deadline) {
+  if (output_ >= 0 && !readyBefore(deadline, output_, POLLIN)) return Io::kLate;
+  const std::optional<std::string> bytes = receive();
+  if (!bytes) return Io::kClosed;
+  received += *bytes;
+  return Io::kDone;
 }
 
 void ChildProcess::closeInput() { closeHandle(input_); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -29,6 +30,15 @@ class ChildProcess {
 
   /// False where it no longer reads.
   bool send(std::string_view bytes);
+
+  using Deadline = std::chrono::steady_clock::time_point;
+  enum class Io { kDone, kClosed, kLate };  ///< kClosed: it closed its end, or is gone
+  /// The same as send() and receive(), but not longer than until the deadline: for programs that
+  /// may hang. After kLate some of the bytes may have been sent.
+  Io send(std::string_view bytes, Deadline deadline);
+  /// Appends at least one byte to `received`, or none and says why.
+  Io receive(std::string& received, Deadline deadline);
+
   void closeInput();
   /// To poll for output. -1 after its end.
   int outputHandle() const { return output_; }

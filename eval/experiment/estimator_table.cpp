@@ -3,6 +3,8 @@
 #include "eval/experiment/estimator_table.h"
 
 #include "core/shape/crisp/crisp_estimator.h"
+#include "core/shape/scale_alignment.h"
+#include "core/shape/sidecar/sidecar_estimator.h"
 #include "eval/oracles/shape_oracle.h"
 #include "eval/oracles/true_instances.h"
 
@@ -21,6 +23,12 @@ EstimatorStart readCrisp(ConfigReader& reader) {
   return [config](const Dataset&) { return std::make_shared<CrispEstimator>(config); };
 }
 
+EstimatorStart readSidecar(ConfigReader& reader) {
+  SidecarEstimator::Config config;
+  read(reader, config);
+  return [config](const Dataset&) { return std::make_shared<SidecarEstimator>(config); };
+}
+
 EstimatorStart readOracle(ConfigReader&) {
   return [](const Dataset& dataset) {
     return std::make_shared<ShapeOracle>(
@@ -30,6 +38,7 @@ EstimatorStart readOracle(ConfigReader&) {
 
 constexpr EstimatorType kTypes[] = {
     {"crisp", readCrisp},
+    {"sidecar", readSidecar},
     {"oracle", readOracle},
 };
 
@@ -44,8 +53,16 @@ std::vector<std::string> estimatorTypes() {
 EstimatorStart readEstimator(ConfigReader& section) {
   std::string type = kTypes[0].name;
   section.choice("type", type, estimatorTypes());
+  ScaleAlignmentConfig alignment;
+  auto align_scale = section.section("align_scale");
+  read(align_scale, alignment);
   for (const EstimatorType& candidate : kTypes) {
-    if (type == candidate.name) return candidate.read(section);
+    if (type != candidate.name) continue;
+    const EstimatorStart start = candidate.read(section);
+    if (!alignment.enabled) return start;
+    return [start, alignment](const Dataset& dataset) {
+      return std::make_shared<ScaleAligned>(start(dataset), alignment);
+    };
   }
   section.throwFaults();  // an unknown type: no other key can be judged
   return {};

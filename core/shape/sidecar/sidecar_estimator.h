@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/config/config_reader.h"
+#include "core/shape/shape_estimator.h"
+#include "core/shape/sidecar/sidecar_process.h"
+
+namespace hydrabench {
+
+/// A shape estimator in a process of its own, in any language (docs/sam3d.md): SAM3D where its user
+/// has it, or anyone's. Questions wait in a queue; one is asked at a time. An answer that does not
+/// come, or makes no sense, is asked for again, of a program started anew; where that fails, too,
+/// the object has no shape, and after several objects in a row the estimator is given up. Stages:
+/// sidecar (with the wait in the queue), and sidecar.NAME for the times that the program states.
+class SidecarEstimator : public ShapeEstimator {
+ public:
+  struct Config {
+    SidecarProcess::Config process;
+    int retries = 2;             ///< of one question
+    int max_failed_objects = 3;  ///< in a row, then nothing is asked any more
+    int max_faces = 20000;       ///< larger meshes are simplified
+    nlohmann::json options = nlohmann::json::object();  ///< for the program
+  };
+  explicit SidecarEstimator(const Config& config);
+  ~SidecarEstimator() override;
+
+  ShapeOutcome estimate(const ShapeObservation& best, std::span<const ShapeObservation> others,
+                        std::uint64_t seed) const override;
+
+ private:
+  class Worker;
+  Config config_;
+  std::unique_ptr<Worker> worker_;
+};
+
+/// The question about a view.
+SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed, double deadline_s,
+                               const nlohmann::json& options);
+/// The shape in an answer, or why there is none.
+ShapeOutcome sidecarOutcome(const SidecarMessage& answer, int max_faces);
+
+/// `script`, a path relative to the document, is the last argument of `command`; `log` is relative
+/// to the current folder.
+void read(ConfigReader& reader, SidecarEstimator::Config& config);
+
+}  // namespace hydrabench

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The hydrabench authors
+// SPDX-License-Identifier: MIT
+#include "core/shape/sidecar/sidecar_estimator.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/types/error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hydrabench {
+namespace {
+
+bool hasPython() {
+  static const bool found = std::system("python3 -c pass >/dev/null 2>&1") == 0;
+  return found;
+}
+
+/// Children of this process that ended and were not waited for, or still run.
+std::size_t children() {
+  std::size_t count = 0;
+  const auto tasks = std::filesystem::path("/proc/self/task");
+  for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+    const std::string list = readText(task.path() / "children");
+    count += static_cast<std::size_t>(std::count(list.begin(), list.end(), ' '));
+  }
+  return count;
+}
+
+std::size_t openHandles() {
+  const auto handles = std::filesystem::directory_iterator("/proc/self/fd");
+  return static_cast<std::size_t>(std::distance(begin(handles), end(handles)));
+}
+
+class Sidecar : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!hasPython()) GTEST_SKIP() << "no python3 here";
+    children_before_ = children();
+  }
+  void TearDown() override {
+    if (!IsSkipped()) {
+      EXPECT_EQ(children(), children_before_);
+    }
+  }
+
+  SidecarEstimator::Config config(const std::string& mode) const {
+    SidecarEstimator::Config config;
+    config.process.command = {"python3", FAKE_SIDECAR, mode, (folder_ / "starts").string()};
+    config.process.log = folder_ / "log";
+    config.process.start_s = 20;
+    config.process.call_s = 20;
+    return config;
+  }
+  static ShapeObservation view() {
+    ShapeObservation view;
+    view.camera = {64, 48, 60, 60, 32, 24};
+    view.color = Image<Rgb>(64, 48);
+    view.depth = Image<float>(64, 48, 2.5f);
+    view.depth(3, 3) = 0;
+    view.mask = Image<std::uint8_t>(64, 48);
+    for (int u = 0; u < 20; ++u) view.mask(u, 3) = 1;
+    return view;
+  }
+  /// The failure, or "".
+  std::string asked(const SidecarEstimator::Config& config) const {
+    const ShapeOutcome outcome = SidecarEstimator(config).estimate(view(), {}, 1);
+    EXPECT_EQ(outcome.failure.empty(), outcome.estimate.has_value());
+    return outcome.failure;
+  }
+  std::size_t starts() const { return readText(folder_ / "starts").size(); }
+
+  TemporaryFolder folder_;
+  std::size_t children_before_ = 0;
+};
+
+TEST_F(Sidecar, AnswersWithAShapeInTheAxesOfTheCamera) {
+  for (const char* mode : {"ok", "pieces", "noisy"}) {
+    const ShapeOutcome outcome = SidecarEstimator(config(mode)).estimate(view(), {}, 1);
+    ASSERT_TRUE(outcome.estimate) << mode << ": " << outcome.failure;
+    const ShapeEstimate& estimate = *outcome.estimate;
+    // The corner at (0, 2, 0), half as large, turned by a quarter from y to -x.
+    const Eigen::Vector3d corner =
+        estimate.T_camera_object * (estimate.scale * estimate.mesh.vertices[2]);
+    EXPECT_NEAR((corner - Eigen::Vector3d(0.25 - 1, -0.5, 2.5)).norm(), 0, 1e-6) << mode;
+    EXPECT_EQ(estimate.mesh.faces.size(), 4u);
+    std::vector<std::string> stages;
+    for (const auto& stage : outcome.times.stages()) stages.push_back(stage.name);
+    EXPECT_THAT(stages,
+                ::testing::UnorderedElementsAre("sidecar", "sidecar.stage1", "sidecar.decode"));
+  }
+  EXPECT_THAT(readText(folder_ / "log"), ::testing::HasSubstr("a library that prints"));
+}
+
+TEST_F(Sidecar, TheOneInTheDocumentationSaysABox) {
+  const std::string page =
+      readText(std::filesystem::path(HYDRABENCH_SOURCE_DIR) / "docs/extend.md");
+  const std::size_t begin = page.find("```python\nimport array, json") + 10;
+  const std::string script = page.substr(begin, page.find("```", begin) - begin);
+  ASSERT_LE(std::count(script.begin(), script.end(), '\n'), 30);
+  std::ofstream(folder_ / "box.py") << script;
+  SidecarEstimator::Config asking = config("ok");
+  asking.process.command = {"python3", (folder_ / "box.py").string()};
+  ShapeObservation seen = view();
+  const SidecarEstimator estimator(asking);
+  const ShapeOutcome outcome = estimator.estimate(seen, {}, 1);
+  ASSERT_TRUE(outcome.estimate) << outcome.failure << readText(folder_ / "log");
+  // Pixels 0 to 19 of row 3 at 2.5 m.
+  Mesh mesh = outcome.estimate->mesh;
+  for (auto& v : mesh.vertices) v = outcome.estimate->T_camera_object * v;
+  EXPECT_NEAR((bounds(mesh).min() - seen.camera.backproject(0, 3, 2.5)).norm(), 0, 1e-6);
+  EXPECT_NEAR((bounds(mesh).max() - seen.camera.backproject(19, 3, 2.5)).norm(), 0, 1e-6);
+  EXPECT_EQ(mesh.faces.size(), 12u);
+  seen.depth.fill(0);
+  EXPECT_EQ(estimator.estimate(seen, {}, 1).failure, "the sidecar rejected the view");
+}
+
+TEST_F(Sidecar, AFaultOnceIsAskedAgainOfAProgramStartedAnew) {
+  for (const char* mode : {"garbage_once", "dies_once", "late_once"}) {
+    std::filesystem::remove(folder_ / "starts");
+    SidecarEstimator::Config asking = config(mode);
+    asking.process.call_s = std::string(mode) == "late_once" ? 3 : 20;
+    EXPECT_EQ(asked(asking), "") << mode;
+    EXPECT_EQ(starts(), 2u) << mode;
+  }
+}
+
+TEST_F(Sidecar, WhatKeepsFailingIsAFailureOfItsKind) {
+  const auto failureOf = [&](const char* mode) {
+    SidecarEstimator::Config asking = config(mode);
+    asking.process.start_s = std::string(mode) == "no_hello" ? 0.5 : 20;
+    asking.process.call_s = std::string(mode) == "late" ? 0.5 : 20;
+    asking.retries = 1;
+    return asked(asking);
+  };
+  EXPECT_EQ(failureOf("late"), "the sidecar did not answer in time");
+  EXPECT_EQ(failureOf("garbage"), "the sidecar answered nonsense");
+  EXPECT_EQ(failureOf("wrong_length"), "the sidecar answered nonsense");
+  EXPECT_EQ(failureOf("other_id"), "the sidecar answered nonsense");
+  EXPECT_EQ(failureOf("dies"), "the sidecar ended");
+  EXPECT_EQ(failureOf("no_hello"), "the sidecar did not start");
+  EXPECT_EQ(failureOf("dies_at_start"), "the sidecar did not start");
+  EXPECT_EQ(failureOf("rejected"), "the sidecar rejected the view");
+  EXPECT_EQ(failureOf("error"), "the sidecar reported an error");
+  for (const char* mode : {"nan", "nan_pose", "mirrored", "negative", "bad_face", "no_shape"}) {
+    EXPECT_THAT(failureOf(mode), ::testing::AnyOf("the sidecar's answer is no shape",
+                                                  "the sidecar answered nonsense"))
+        << mode;
+  }
+}
+
+TEST_F(Sidecar, AProgramThatIsNotThereIsAFailureNotAnEnd) {
+  SidecarEstimator::Config asking;
+  asking.process.command = {"/nowhere/at_all"};
+  EXPECT_EQ(asked(asking), "the sidecar did not start");
+}
+
+TEST_F(Sidecar, AProgramThatDoesNotReadDoesNotHoldUsUp) {
+  SidecarEstimator::Config asking = config("deaf");
+  asking.process.call_s = 0.5;
+  asking.retries = 0;
+  ShapeObservation large = view();
+  large.camera = {1280, 960, 60, 60, 32, 24};
+  large.color = Image<Rgb>(1280, 960);
+  large.depth = Image<float>(1280, 960, 2.5f);
+  large.mask = Image<std::uint8_t>(1280, 960, 1);
+  EXPECT_EQ(SidecarEstimator(asking).estimate(large, {}, 1).failure,
+            "the sidecar did not answer in time");
+}
+
+TEST_F(Sidecar, IsGivenUpAfterSeveralObjectsInARow) {
+  SidecarEstimator::Config asking = config("dies");
+  asking.retries = 0;
+  asking.max_failed_objects = 2;
+  const SidecarEstimator estimator(asking);
+  EXPECT_EQ(estimator.estimate(view(), {}, 1).failure, "the sidecar ended");
+  EXPECT_EQ(estimator.estimate(view(), {}, 1).failure, "the sidecar ended");
+  EXPECT_EQ(estimator.estimate(view(), {}, 1).failure, "the sidecar was given up");
+  EXPECT_EQ(starts(), 2u);
+}
+
+TEST_F(Sidecar, ManyThreadsMayAskAtOnce) {
+  const SidecarEstimator estimator(config("ok"));
+  std::vector<std::thread> threads;
+  std::vector<int> good(8, 0);
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    threads.emplace_back([&, i] {
+      for (int k = 0; k < 5; ++k) good[i] += estimator.estimate(view(), {}, i).estimate.has_value();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_THAT(good, ::testing::Each(5));
+  EXPECT_EQ(starts(), 1u);
+}
+
+TEST_F(Sidecar, RestartsLeaveNothingBehind) {
+  SidecarProcess::Config program = config("dies").process;
+  program.command = {"/bin/sh", "-c", "exit 1"};
+  SidecarProcess process(program);
+  const auto restart = [&] {
+    try {
+      process.call({});
+      ADD_FAILURE();
+    } catch (const SidecarFault& fault) {
+      EXPECT_EQ(fault.what, "exit code 1");
+    }
+  };
+  restart();
+  const std::size_t handles = openHandles();
+  for (int i = 1; i < 1000; ++i) restart();
+  EXPECT_EQ(process.starts(), 1000);
+  EXPECT_EQ(openHandles(), handles);
+  EXPECT_EQ(children(), children_before_);
+}
+
+TEST(SidecarConfig, ACommandIsNeeded) { EXPECT_THROW(SidecarEstimator({}), InputError); }
+
+}  // namespace
+}  // namespace hydrabench
