@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -243,6 +244,9 @@ void read(ConfigReader& reader, SidecarEstimator::Config& config) {
     reader.fault("command", "missing, expected the program to start and its arguments");
   }
   if (!script.empty()) config.process.command.push_back(script.string());
+  std::vector<std::string> arguments;
+  reader.field("arguments", arguments);
+  config.process.command.insert(config.process.command.end(), arguments.begin(), arguments.end());
   std::string log;
   reader.field("log", log);
   config.process.log = log;

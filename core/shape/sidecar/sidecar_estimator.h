@@ -48,8 +48,8 @@ SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed,
 /// The shape in an answer, or why there is none.
 ShapeOutcome sidecarOutcome(const SidecarMessage& answer, int max_faces);
 
-/// `script`, a path relative to the document, is the last argument of `command`; `log` is relative
-/// to the current folder.
+/// The program is started as `command`, `script` (a path relative to the document), `arguments`;
+/// `log` is relative to the current folder.
 void read(ConfigReader& reader, SidecarEstimator::Config& config);
 
 }  // namespace hydrabench

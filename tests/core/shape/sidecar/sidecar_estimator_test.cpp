@@ -124,6 +124,32 @@ TEST_F(Sidecar, TheOneInTheDocumentationSaysABox) {
   EXPECT_EQ(estimator.estimate(seen, {}, 1).failure, "the sidecar rejected the view");
 }
 
+TEST_F(Sidecar, TheFramesOfSam3dComeBackAsThoseOfTheCamera) {
+  ShapeObservation seen = view();
+  seen.depth.fill(2);
+  seen.depth(0, 0) = 0;
+  for (int i = 0; i < 12; ++i) {
+    Transform T_camera_object = Transform::Identity();
+    // All components of the quaternion take turns in being the largest.
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d(i % 3 == 0 ? 3 : 1, i % 3 == 1 ? -3 : 0.5, i % 3 == 2 ? 3 : -0.7);
+    T_camera_object.linear() = Eigen::AngleAxisd(0.8 * i, axis.normalized()).toRotationMatrix();
+    T_camera_object.translation() = Eigen::Vector3d(0.3, -0.2, 1.9);
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = T_camera_object.linear();
+    const nlohmann::json truth = {{"R", std::vector<double>(rotation.data(), rotation.data() + 9)},
+                                  {"t", {0.3, -0.2, 1.9}},
+                                  {"s", 0.7}};
+    SidecarEstimator::Config asking = config("ok");
+    asking.process.command = {"python3", SAM3D_STUB, HYDRABENCH_SOURCE_DIR "/scripts",
+                              truth.dump()};
+    const ShapeOutcome outcome = SidecarEstimator(asking).estimate(seen, {}, 1);
+    ASSERT_TRUE(outcome.estimate) << outcome.failure << readText(folder_ / "log");
+    EXPECT_TRUE(outcome.estimate->T_camera_object.isApprox(T_camera_object, 1e-6)) << i;
+    EXPECT_NEAR(outcome.estimate->scale, 0.7, 1e-6);
+    EXPECT_EQ(outcome.estimate->mesh.vertices[3], Eigen::Vector3d(0, 0, 3));
+  }
+}
+
 TEST_F(Sidecar, AFaultOnceIsAskedAgainOfAProgramStartedAnew) {
   for (const char* mode : {"garbage_once", "dies_once", "late_once"}) {
     std::filesystem::remove(folder_ / "starts");
