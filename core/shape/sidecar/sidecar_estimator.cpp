@@ -7,14 +7,17 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/geometry/mesh_topology.h"
+#include "core/io/atomic_file.h"
 #include "core/types/error.h"
 
 namespace hydrabench {
@@ -73,6 +76,24 @@ std::optional<Transform> poseOf(const nlohmann::json& header) {
   for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = rotation[static_cast<std::size_t>(i)];
   for (int i = 0; i < 3; ++i) matrix(i, 3) = translation[static_cast<std::size_t>(i)];
   return rigidFromMatrix(matrix);
+}
+
+constexpr const char* kQuestion = ".question";
+constexpr const char* kAnswer = ".answer";
+
+/// Of a question what the answer depends on.
+std::string recordedForm(SidecarMessage question) {
+  question.header.erase("deadline_s");
+  return encode(question);
+}
+
+/// FNV-1a; questions are compared whole besides.
+std::string recordName(std::string_view question) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : question) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  }
+  return fmt::format("{:016x}", hash);
 }
 
 }  // namespace
@@ -183,21 +204,47 @@ class SidecarEstimator::Worker {
 
   ShapeOutcome answerTo(const SidecarMessage& question) {
     ShapeOutcome outcome;
+    if (!config_.replay.empty()) return replayed(question);
     if (failed_objects_ >= config_.max_failed_objects) {
       outcome.failure = "the sidecar was given up";
       return outcome;
     }
     for (int attempt = 0; attempt <= config_.retries; ++attempt) {
       try {
-        outcome = sidecarOutcome(process_.call(question), config_.max_faces);
+        const SidecarMessage answer = process_.call(question);
+        if (!config_.record.empty()) record(question, answer);
         failed_objects_ = 0;
-        return outcome;
+        return sidecarOutcome(answer, config_.max_faces);
       } catch (const SidecarFault& fault) {
         outcome.failure = name(fault.kind);
         if (fault.kind == SidecarFault::Kind::kNotStarted) break;
       }
     }
     ++failed_objects_;
+    return outcome;
+  }
+
+  void record(const SidecarMessage& question, const SidecarMessage& answer) const {
+    const std::string asked = recordedForm(question);
+    const std::filesystem::path file = config_.record / recordName(asked);
+    writeFileAtomic(file.string() + kQuestion, asked);
+    writeFileAtomic(file.string() + kAnswer, encode(answer));
+  }
+
+  ShapeOutcome replayed(const SidecarMessage& question) const {
+    const std::string asked = recordedForm(question);
+    const std::filesystem::path file = config_.replay / recordName(asked);
+    ShapeOutcome outcome;
+    outcome.failure = "no recorded answer";
+    if (!std::filesystem::exists(file.string() + kAnswer)) return outcome;
+    if (readFile(file.string() + kQuestion) != asked) return outcome;
+    SidecarReader reader;
+    reader.append(readFile(file.string() + kAnswer));
+    try {
+      if (const auto answer = reader.next()) return sidecarOutcome(*answer, config_.max_faces);
+    } catch (const InputError&) {
+    }
+    outcome.failure = "the recorded answer is no message";
     return outcome;
   }
 
@@ -212,7 +259,7 @@ class SidecarEstimator::Worker {
 };
 
 SidecarEstimator::SidecarEstimator(const Config& config) : config_(config) {
-  if (config.process.command.empty()) {
+  if (config.process.command.empty() && config.replay.empty()) {
     throw InputError("command: missing; expected the program to start and its arguments");
   }
   worker_ = std::make_unique<Worker>(config);
@@ -240,7 +287,11 @@ void read(ConfigReader& reader, SidecarEstimator::Config& config) {
   // As a path: what is in it counts for what the results belong to.
   std::filesystem::path script;
   reader.path("script", script);
-  if (config.process.command.empty()) {
+  std::string record;
+  reader.field("record", record);
+  config.record = record;
+  reader.path("replay", config.replay);
+  if (config.process.command.empty() && config.replay.empty()) {
     reader.fault("command", "missing, expected the program to start and its arguments");
   }
   if (!script.empty()) config.process.command.push_back(script.string());

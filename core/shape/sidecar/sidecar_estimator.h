@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -25,9 +26,11 @@ class SidecarEstimator : public ShapeEstimator {
  public:
   struct Config {
     SidecarProcess::Config process;
-    int retries = 2;             ///< of one question
-    int max_failed_objects = 3;  ///< in a row, then nothing is asked any more
-    int max_faces = 20000;       ///< larger meshes are simplified
+    int retries = 2;               ///< of one question
+    int max_failed_objects = 3;    ///< in a row, then nothing is asked any more
+    int max_faces = 20000;         ///< larger meshes are simplified
+    std::filesystem::path record;  ///< folder that gets every question with its answer; or empty
+    std::filesystem::path replay;  ///< such a folder to answer from; then nothing is started
     nlohmann::json options = nlohmann::json::object();  ///< for the program
   };
   explicit SidecarEstimator(const Config& config);
@@ -49,7 +52,7 @@ SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed,
 ShapeOutcome sidecarOutcome(const SidecarMessage& answer, int max_faces);
 
 /// The program is started as `command`, `script` (a path relative to the document), `arguments`;
-/// `log` is relative to the current folder.
+/// `log` and `record` are relative to the current folder, `replay` to the document.
 void read(ConfigReader& reader, SidecarEstimator::Config& config);
 
 }  // namespace hydrabench

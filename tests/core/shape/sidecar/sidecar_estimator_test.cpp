@@ -214,6 +214,30 @@ TEST_F(Sidecar, IsGivenUpAfterSeveralObjectsInARow) {
   EXPECT_EQ(starts(), 2u);
 }
 
+TEST_F(Sidecar, WhatWasRecordedIsAnsweredWithoutTheProgram) {
+  SidecarEstimator::Config asking = config("ok");
+  asking.record = folder_ / "kept";
+  const ShapeOutcome live = SidecarEstimator(asking).estimate(view(), {}, 1);
+  ASSERT_TRUE(live.estimate);
+  SidecarEstimator::Config replaying;
+  replaying.replay = folder_ / "kept";
+  replaying.process.call_s = 1;  // another deadline is no other question
+  const SidecarEstimator replay(replaying);
+  const ShapeOutcome again = replay.estimate(view(), {}, 1);
+  ASSERT_TRUE(again.estimate) << again.failure;
+  EXPECT_EQ(again.estimate->mesh.vertices, live.estimate->mesh.vertices);
+  EXPECT_TRUE(again.estimate->T_camera_object.isApprox(live.estimate->T_camera_object, 0));
+  EXPECT_EQ(again.times.stages().size(), 3u);
+  EXPECT_EQ(replay.estimate(view(), {}, 2).failure, "no recorded answer");
+  ShapeObservation other = view();
+  other.depth(5, 5) = 1;
+  EXPECT_EQ(replay.estimate(other, {}, 1).failure, "no recorded answer");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "kept")) {
+    if (entry.path().extension() == ".answer") std::ofstream(entry.path()) << "cut";
+  }
+  EXPECT_EQ(replay.estimate(view(), {}, 1).failure, "the recorded answer is no message");
+}
+
 TEST_F(Sidecar, ManyThreadsMayAskAtOnce) {
   const SidecarEstimator estimator(config("ok"));
   std::vector<std::thread> threads;
