@@ -89,8 +89,7 @@ def answer(estimator, header, blobs):
         # SAM3D would silently take scale 1 and place 0.
         return frame(dict(reply, status="rejected", message="no depth on the mask"))
     points = points_for_sam3d(depth, header["width"], header["K"])
-    shape = estimator.estimate(blobs["rgb"], blobs["mask"], points, header["width"], header["height"], header["seed"],
-                               header.get("options", {}))
+    shape = estimator.estimate(blobs["rgb"], blobs["mask"], points, header["width"], header["height"], header["seed"])
     rotation, translation = opencv_pose(shape["quaternion_wxyz"], shape["translation"])
     numbers = rotation + translation + [shape["scale"]]
     vertices, faces = shape["vertices"], shape["faces"]  # flat; of the local frame with z up, not of the GLB with y up
@@ -102,9 +101,11 @@ def answer(estimator, header, blobs):
 
 
 def serve(make_estimator):
-    """Loads, says hello and answers until the input ends. Standard output is ours alone: what libraries print goes to the log."""
+    """Loads, says hello and answers until the input ends. Standard input and output are ours alone: what libraries print goes to the log."""
     out = os.fdopen(os.dup(1), "wb")
+    source = os.fdopen(os.dup(0), "rb")
     os.dup2(2, 1)
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
 
     def say(data):
         out.write(data)
@@ -112,13 +113,15 @@ def serve(make_estimator):
 
     estimator = make_estimator()
     say(frame(dict(estimator.hello, op="hello", protocol=1)))
-    while (question := read_frame(sys.stdin.buffer)) is not None:
+    while (question := read_frame(source)) is not None:
         header, blobs = question
         try:
             say(answer(estimator, header, blobs))
         except Exception as error:  # out of memory, an empty set of voxels: of this object, not of the next
             print(f"question {header['id']}: {error!r}", file=sys.stderr)
             say(frame({"id": header["id"], "status": "error", "message": str(error)[:300]}))
+            if "CUDA" in str(error):  # nothing works after some of these: a new process does
+                sys.exit(1)
 
 
 # ---------------------------------------------------------------- SAM3D itself
@@ -128,6 +131,7 @@ class Sam3d:
 
     def __init__(self, root, config=None):
         sys.path.insert(0, root)
+        os.environ.setdefault("LIDRA_SKIP_INIT", "true")  # its package asks for a module that is not public
         import numpy
         import torch
         from hydra.utils import instantiate
@@ -144,7 +148,7 @@ class Sam3d:
         self.hello = {"name": "SAM3D", "config_sha256": digest, "gpu": torch.cuda.get_device_name(),
                       "licence": "SAM License"}
 
-    def estimate(self, rgb, mask, points, width, height, seed, options):
+    def estimate(self, rgb, mask, points, width, height, seed):
         numpy, torch = self.numpy, self.torch
         image = numpy.frombuffer(rgb, numpy.uint8).reshape(height, width, 3)
         alpha = numpy.frombuffer(mask, numpy.uint8).reshape(height, width) > 0
@@ -154,8 +158,6 @@ class Sam3d:
         # Both formats: with the mesh alone its last step looks for a Gaussian that is not there.
         result = self.pipeline.run(image, None, seed % 2**31, stage1_only=False, with_mesh_postprocess=False,
                                    with_texture_baking=False, with_layout_postprocess=False, use_vertex_color=True,
-                                   stage1_inference_steps=options.get("stage1_steps"),
-                                   stage2_inference_steps=options.get("stage2_steps"),
                                    pointmap=pointmap, decode_formats=["mesh", "gaussian"])
         mesh = result["mesh"][0]
         if not mesh.success:

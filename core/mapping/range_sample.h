@@ -69,16 +69,16 @@ class RangeSampler {
   /// @param farthest  the larger range of the two rows [m]
   bool betweenRows(float u, float v, const Image<std::uint8_t>& ground, RangeSample& sample,
                    float& farthest) const {
-    const float v_on = std::clamp(v, 0.0f, static_cast<float>(v_max_));
+    if (v < 0.0f || v >= static_cast<float>(v_max_)) return false;
     const int u0 = std::min(static_cast<int>(u + 0.5f), u_max_);
-    const int v0 = std::max(std::min(static_cast<int>(v_on), v_max_ - 1), 0);
+    const int v0 = static_cast<int>(v);
     const std::size_t upper = index(u0, v0);
-    const std::size_t lower = index(u0, std::min(v0 + 1, v_max_));
+    const std::size_t lower = index(u0, v0 + 1);
     const float upper_range = range_[upper];
     const float lower_range = range_[lower];
     if (upper_range == 0.0f || lower_range == 0.0f) return false;
     if (ground.data()[upper] == 0 || ground.data()[lower] == 0) return false;
-    const float dv = v_on - static_cast<float>(v0);
+    const float dv = v - static_cast<float>(v0);
     sample.count = 2;
     sample.pixels[0] = upper;
     sample.pixels[1] = lower;

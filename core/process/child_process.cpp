@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -57,17 +58,20 @@ ChildProcess::ChildProcess(const Config& config) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
   arguments.push_back(nullptr);
+  int errors = -1;
+  if (!config.error_file.empty()) {
+    errors = ::open(config.error_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (errors < 0) {
+      throw OutputError(fmt::format("{}: cannot be written: {}", config.error_file.string(),
+                                    std::strerror(errno)));
+    }
+  }
   // A socket for its input: writing to one that is gone is an error there, not a signal.
   int input[2];
   int output[2];
   int started[2];  // closes by itself when the program is loaded, or brings the reason why not
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0) fail(errno);
   if (::pipe2(output, O_CLOEXEC) != 0 || ::pipe2(started, O_CLOEXEC) != 0) fail(errno);
-  int errors = -1;
-  if (!config.error_file.empty()) {
-    errors = ::open(config.error_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (errors < 0) fail(errno);
-  }
   const pid_t parent = ::getpid();
   pid_ = ::fork();
   if (pid_ < 0) fail(errno);
@@ -172,6 +176,21 @@ ChildProcess::Exit ChildProcess::wait() {
   if (WIFSIGNALED(status)) exit.signal = WTERMSIG(status);
   if (WIFEXITED(status)) exit.code = WEXITSTATUS(status);
   return exit;
+}
+
+ChildProcess::Exit ChildProcess::wait(Deadline deadline) {
+  if (pid_ > 0) {
+    siginfo_t ended{};
+    const auto is_over = [&] {
+      return ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+             ended.si_pid != 0;
+    };
+    while (!is_over() && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    if (!is_over()) kill();
+  }
+  return wait();
 }
 
 std::string ChildProcess::Exit::text() const {

@@ -53,6 +53,8 @@ class ChildProcess {
     std::string text() const;  ///< "exit code 3", "killed by signal 9 (Killed)"
   };
   Exit wait();
+  /// Not longer than until the deadline: then it is killed.
+  Exit wait(Deadline deadline);
 
  private:
   pid_t pid_ = -1;

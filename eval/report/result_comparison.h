@@ -40,8 +40,8 @@ const char* name(ResultComparison::Verdict verdict);
 struct NoiseFloor {
   double score = 0.005;       ///< F1 and IoU
   double distance_m = 0.001;  ///< chamfer_l1
-  /// Of the time per frame, in both directions: a change of so much never passes as the same, and
-  /// is told as soon as it is sure to be more than half of it, which runs of one program never are.
+  /// Of the time per frame, in both directions: a change of so much does not pass as the same, and
+  /// is told as soon as it is sure to be more than half of it.
   double time_share = 0.05;
   bool compare_times = true;  ///< times of different machines never are
   int resamples = 2000;

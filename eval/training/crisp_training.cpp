@@ -57,7 +57,7 @@ TrainingState trainCrispModel(const CrispTrainingConfig& config, const std::stri
   requireSameConfig(out / "config.yaml", resolved);
   torch::manual_seed(config.seed);
   PointNetwork network(networkOptions(config));
-  if (!config.start_from.empty()) {
+  if (!config.start_from.empty() && !std::filesystem::exists(out / "network.checkpoint")) {
     loadWeights(*network, readCrispManifest(config.start_from / "manifest.yaml").weights);
   }
   const TrainingState state = trainCrisp(config, out, network, progress, stop);

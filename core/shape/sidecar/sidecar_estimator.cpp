@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -98,8 +99,8 @@ std::string recordName(std::string_view question) {
 
 }  // namespace
 
-SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed, double deadline_s,
-                               const nlohmann::json& options) {
+SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed,
+                               double deadline_s) {
   const Camera& camera = view.camera;
   const auto width = static_cast<std::size_t>(camera.width);
   const auto height = static_cast<std::size_t>(camera.height);
@@ -111,8 +112,7 @@ SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed,
                      {"K", {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1}},
                      {"label", view.label},
                      {"seed", seed},
-                     {"deadline_s", deadline_s},
-                     {"options", options}};
+                     {"deadline_s", deadline_s}};
   if (!view.color.empty()) {
     static_assert(sizeof(Rgb) == 3);
     question.blobs.push_back(blobOf("rgb", "u1", {height, width, 3},
@@ -217,6 +217,10 @@ class SidecarEstimator::Worker {
         return sidecarOutcome(answer, config_.max_faces);
       } catch (const SidecarFault& fault) {
         outcome.failure = name(fault.kind);
+        if (!config_.process.log.empty()) {
+          std::ofstream(config_.process.log, std::ios::app)
+              << "hydrabench: " << outcome.failure << ": " << fault.what << '\n';
+        }
         if (fault.kind == SidecarFault::Kind::kNotStarted) break;
       }
     }
@@ -274,7 +278,7 @@ ShapeOutcome SidecarEstimator::estimate(const ShapeObservation& best,
   ShapeOutcome outcome;
   {
     const StageTimes::Scope stage(times, "sidecar");
-    outcome = worker_->ask(sidecarQuestion(best, seed, config_.process.call_s, config_.options));
+    outcome = worker_->ask(sidecarQuestion(best, seed, config_.process.call_s));
   }
   for (const StageTimes::Stage& stage : times.stages()) {
     for (const StageTimes::Sample& sample : stage.samples) outcome.times.add(stage.name, sample);

@@ -19,8 +19,9 @@ namespace hydrabench {
 
 /// A shape estimator in a process of its own, in any language (docs/sam3d.md): SAM3D where its user
 /// has it, or anyone's. Questions wait in a queue; one is asked at a time. An answer that does not
-/// come, or makes no sense, is asked for again, of a program started anew; where that fails, too,
-/// the object has no shape, and after several objects in a row the estimator is given up. Stages:
+/// come, or is no message, is asked for again, of a program started anew; where that fails, too, or
+/// it does not start, the object has no shape, and after several such objects in a row the
+/// estimator is given up: from there on what it says depends on more than its arguments. Stages:
 /// sidecar (with the wait in the queue), and sidecar.NAME for the times that the program states.
 class SidecarEstimator : public ShapeEstimator {
  public:
@@ -31,7 +32,6 @@ class SidecarEstimator : public ShapeEstimator {
     int max_faces = 20000;         ///< larger meshes are simplified
     std::filesystem::path record;  ///< folder that gets every question with its answer; or empty
     std::filesystem::path replay;  ///< such a folder to answer from; then nothing is started
-    nlohmann::json options = nlohmann::json::object();  ///< for the program
   };
   explicit SidecarEstimator(const Config& config);
   ~SidecarEstimator() override;
@@ -46,8 +46,7 @@ class SidecarEstimator : public ShapeEstimator {
 };
 
 /// The question about a view.
-SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed, double deadline_s,
-                               const nlohmann::json& options);
+SidecarMessage sidecarQuestion(const ShapeObservation& view, std::uint64_t seed, double deadline_s);
 /// The shape in an answer, or why there is none.
 ShapeOutcome sidecarOutcome(const SidecarMessage& answer, int max_faces);
 

@@ -29,6 +29,15 @@ std::size_t sizeOf(const std::string& dtype) {
   throw InputError(fmt::format("a blob has the dtype '{}', expected u1, u4 or f4", dtype));
 }
 
+/// Conversions would take -1 and 1e300 for some number, too.
+std::size_t countOf(const nlohmann::json& value) {
+  if (!value.is_number_unsigned()) {
+    throw InputError(fmt::format("a header has {} for a length, expected a whole number from 0 on",
+                                 value.dump()));
+  }
+  return value.get<std::size_t>();
+}
+
 /// Shape and size of a blob as its entry in the header states them.
 SidecarMessage::Blob described(const nlohmann::json& entry, std::size_t& bytes) {
   SidecarMessage::Blob blob;
@@ -36,13 +45,13 @@ SidecarMessage::Blob described(const nlohmann::json& entry, std::size_t& bytes) 
   blob.dtype = entry.at("dtype").get<std::string>();
   std::size_t count = sizeOf(blob.dtype);
   for (const nlohmann::json& length : entry.at("shape")) {
-    blob.shape.push_back(length.get<std::size_t>());
+    blob.shape.push_back(countOf(length));
     if (blob.shape.back() > 0 && count > kMaxBlobs / blob.shape.back()) {
       throw InputError(fmt::format("blob '{}' is larger than {} bytes", blob.name, kMaxBlobs));
     }
     count *= blob.shape.back();
   }
-  bytes = entry.at("bytes").get<std::size_t>();
+  bytes = countOf(entry.at("bytes"));
   if (bytes != count) {
     throw InputError(fmt::format("blob '{}' states {} bytes, expected {}, from dtype and shape",
                                  blob.name, bytes, count));

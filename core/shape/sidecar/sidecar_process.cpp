@@ -51,7 +51,8 @@ SidecarMessage SidecarProcess::receive(ChildProcess::Deadline deadline) {
       case ChildProcess::Io::kLate:
         throw SidecarFault{Kind::kLate, "no answer within the deadline"};
       case ChildProcess::Io::kClosed:
-        throw SidecarFault{Kind::kEnded, process_->wait().text()};
+        // It may have closed its output and live on.
+        throw SidecarFault{Kind::kEnded, process_->wait(in(1)).text()};
     }
   }
 }

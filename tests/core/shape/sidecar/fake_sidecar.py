@@ -62,6 +62,9 @@ while True:
              "timings_ms": {"stage1": 3.5, "decode": 1.25}}
     if mode == "late" or (mode == "late_once" and starts == 1):
         time.sleep(1000)
+    if mode == "closes_output":
+        os.close(1)
+        time.sleep(1000)
     if mode == "garbage" or (mode == "garbage_once" and starts == 1):
         say(b"this is no message\n" * 100)
         time.sleep(1000)

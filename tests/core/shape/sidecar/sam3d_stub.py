@@ -32,7 +32,7 @@ def quaternion(m):
 class Stub:
     hello = {"name": "stub"}
 
-    def estimate(self, rgb, mask, points, width, height, seed, options):
+    def estimate(self, rgb, mask, points, width, height, seed):
         print("a library that prints to standard output")
         # The point of pixel (10, 5) at 2 m, and one that was not measured.
         at = 3 * (5 * width + 10)

@@ -83,6 +83,11 @@ class Sidecar : public ::testing::Test {
   std::size_t children_before_ = 0;
 };
 
+TEST_F(Sidecar, ChildrenAreSeenByTheseTests) {
+  const ChildProcess child({.command = {"sleep", "100"}});
+  EXPECT_EQ(children(), children_before_ + 1);
+}
+
 TEST_F(Sidecar, AnswersWithAShapeInTheAxesOfTheCamera) {
   for (const char* mode : {"ok", "pieces", "noisy"}) {
     const ShapeOutcome outcome = SidecarEstimator(config(mode)).estimate(view(), {}, 1);
@@ -173,6 +178,9 @@ TEST_F(Sidecar, WhatKeepsFailingIsAFailureOfItsKind) {
   EXPECT_EQ(failureOf("wrong_length"), "the sidecar answered nonsense");
   EXPECT_EQ(failureOf("other_id"), "the sidecar answered nonsense");
   EXPECT_EQ(failureOf("dies"), "the sidecar ended");
+  EXPECT_EQ(failureOf("closes_output"), "the sidecar ended");
+  EXPECT_THAT(readText(folder_ / "log"),
+              ::testing::HasSubstr("hydrabench: the sidecar ended: exit code 9\n"));
   EXPECT_EQ(failureOf("no_hello"), "the sidecar did not start");
   EXPECT_EQ(failureOf("dies_at_start"), "the sidecar did not start");
   EXPECT_EQ(failureOf("rejected"), "the sidecar rejected the view");

@@ -80,7 +80,9 @@ TEST(SidecarMessage, WhatIsNoMessageIsSaidInOneLine) {
           R"({"blobs":[{"name":"m","dtype":"f4","shape":[4294967296,4294967296],"bytes":0}]})")),
       HasSubstr("blob 'm' is larger than"));
   EXPECT_THAT(faultOf(framed(R"({"blobs":[{"name":"m","dtype":"u1","shape":[-1],"bytes":1}]})")),
-              HasSubstr("blob 'm' is larger than"));
+              HasSubstr("-1 for a length"));
+  EXPECT_THAT(faultOf(framed(R"({"blobs":[{"name":"m","dtype":"u1","shape":[1],"bytes":1e300}]})")),
+              HasSubstr("1e+300 for a length"));
 }
 
 }  // namespace
