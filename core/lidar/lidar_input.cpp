@@ -34,6 +34,15 @@ void LidarInput::integrate(const Frame& frame, ActiveWindow& window, StageTimes&
   if (!config_.enabled) return;
   for (const LidarScan& scan : frame.scans) {
     requireUsable(scan);
+    num_points_ += scan.points.size();
+    const auto without_return =
+        std::count_if(scan.points.begin(), scan.points.end(),
+                      [](const Eigen::Vector3f& p) { return !isMeasured(p); });
+    num_without_return_ += static_cast<std::size_t>(without_return);
+    if (static_cast<std::size_t>(without_return) == scan.points.size()) {
+      ++num_empty_;
+      continue;
+    }
     std::vector<Eigen::Vector3f> points;
     PointLooks looks;
     {
@@ -71,17 +80,20 @@ void LidarInput::integrate(const Frame& frame, ActiveWindow& window, StageTimes&
     }
     if (replacesDepth()) depth_.add(std::move(points), scan.T_world_lidar);
     ++num_scans_;
-    num_points_ += scan.points.size();
-    num_without_return_ += static_cast<std::size_t>(
-        std::count_if(scan.points.begin(), scan.points.end(),
-                      [](const Eigen::Vector3f& p) { return !isMeasured(p); }));
   }
 }
 
 std::vector<std::string> LidarInput::notes() const {
-  if (num_without_return_ == 0) return {};
-  return {fmt::format("lidar: {} of {} points are not finite or at the sensor, and passed over",
-                      num_without_return_, num_points_)};
+  std::vector<std::string> notes;
+  if (num_without_return_ > 0) {
+    notes.push_back(
+        fmt::format("lidar: {} of {} points are not finite or at the sensor, and passed over",
+                    num_without_return_, num_points_));
+  }
+  if (num_empty_ > 0) {
+    notes.push_back(fmt::format("lidar: {} sweeps without any return, passed over", num_empty_));
+  }
+  return notes;
 }
 
 Frame LidarInput::withLidarDepth(const Frame& frame, StageTimes& times) const {
@@ -98,6 +110,12 @@ Frame LidarInput::withLidarDepth(const Frame& frame, StageTimes& times) const {
 
 void LidarInput::requireScans() const {
   if (!config_.enabled || num_scans_ > 0) return;
+  if (num_empty_ > 0) {
+    throw InputError(
+        fmt::format("none of the {} lidar sweeps has a return: all points are not finite or at the "
+                    "sensor; expected points in metres around it",
+                    num_empty_));
+  }
   throw InputError(
       "lidar.enabled is true, but no frame came with a lidar scan; expected a dataset with a lidar "
       "whose stamps overlap those of the camera, or lidar.enabled: false");

@@ -55,9 +55,9 @@ class LidarInput {
   Frame withLidarDepth(const Frame& frame, StageTimes& times) const;
   bool replacesDepth() const { return config_.enabled && config_.object_depth != "camera"; }
 
-  /// Throws InputError if it is enabled and no scan ever came.
+  /// Throws InputError if it is enabled and no scan with a return ever came.
   void requireScans() const;
-  /// How many points had no return; nothing where all had one.
+  /// How many points and scans had no return; nothing where all had one.
   std::vector<std::string> notes() const;
 
  private:
@@ -67,6 +67,7 @@ class LidarInput {
   TsdfIntegrator integrator_;
   LidarDepth depth_;
   std::size_t num_scans_ = 0;
+  std::size_t num_empty_ = 0;  ///< scans without a return; not among num_scans_
   std::size_t num_points_ = 0;
   std::size_t num_without_return_ = 0;
 };

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "core/mapping/ground/ground_scan.h"
 #include "core/types/error.h"
 
 namespace hydrabench {
@@ -43,11 +42,6 @@ void requireUsable(const LidarScan& scan) {
   requireLength(scan, "rings", scan.rings.size());
   requireLength(scan, "times", scan.times.size());
   requireLength(scan, "labels", scan.labels.size());
-  if (!scan.points.empty() && std::none_of(scan.points.begin(), scan.points.end(), isMeasured)) {
-    fail(scan,
-         fmt::format("has {} points, all of them not finite or at the sensor; expected returns",
-                     scan.points.size()));
-  }
   const auto ring = std::max_element(scan.rings.begin(), scan.rings.end());
   if (ring != scan.rings.end() && *ring >= lidar.rows) {
     fail(scan,

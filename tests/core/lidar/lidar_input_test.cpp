@@ -126,6 +126,25 @@ TEST(LidarInput, CountsPointsWithoutAReturn) {
                                                       " points are not finite or at the sensor")));
 }
 
+TEST(LidarInput, PassesOverSweepsWithoutAReturnUnlessThereIsNothingElse) {
+  LidarScan blind = scanOfGround(0.5);
+  blind.points.assign(blind.points.size(), Eigen::Vector3f::Zero());
+  LidarInput input(lidar(), kLabels, {});
+  ActiveWindow map(window());
+  StageTimes times;
+  input.integrate(frameWith(blind, 2), map, times);
+  EXPECT_THAT(input.notes(), testing::Contains("lidar: 1 sweeps without any return, passed over"));
+  try {
+    input.requireScans();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("none of the 1 lidar sweeps has a return"));
+  }
+  input.integrate(frameWith(scanOfGround(0.5), 2), map, times);
+  EXPECT_NO_THROW(input.requireScans());
+  EXPECT_GT(map.volume().numBlocks(), 0u);
+}
+
 TEST(LidarInput, RefusesAMeshThatWouldHaveNothingOfTheBand) {
   const auto faultOf = [](const char* yaml) -> std::string {
     ConfigReader reader(ConfigDocument::fromString(yaml, "method.yaml"));

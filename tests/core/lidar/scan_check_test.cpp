@@ -58,17 +58,6 @@ TEST(ScanCheck, RefusesTimesOutsideTheSweepAndSweepsThatEndBeforeTheyStart) {
   EXPECT_THAT(faultOf(scan), testing::HasSubstr("starts at 2 ns"));
 }
 
-TEST(ScanCheck, RefusesASweepWithoutAnyReturnAndPassesOverSomeMissing) {
-  LidarScan scan = scanOfGround(0.5);
-  const std::size_t count = scan.points.size();
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  scan.points.assign(count, Eigen::Vector3f(kNan, 0, 0));
-  scan.points[1].setZero();
-  EXPECT_THAT(faultOf(scan), testing::HasSubstr("points, all of them not finite or at the sensor"));
-  scan.points[2] = Eigen::Vector3f(3, 0, 0);
-  EXPECT_EQ(faultOf(scan), "");
-}
-
 TEST(ScanCheck, RefusesASensorWithoutRowsAndAPoseThatIsNotFinite) {
   LidarScan scan = scanOfGround(0.5);
   scan.lidar.rows = 0;
