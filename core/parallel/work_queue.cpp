@@ -7,7 +7,7 @@
 namespace hydrabench {
 
 WorkerThreads::WorkerThreads(int num_threads, std::size_t capacity) : capacity_(capacity) {
-  assert(num_threads >= 1 && capacity >= 1);
+  assert(num_threads >= 0 && capacity >= 1);
   for (int i = 0; i < num_threads; ++i) threads_.emplace_back([this] { work(); });
 }
 
@@ -22,6 +22,12 @@ WorkerThreads::~WorkerThreads() {
 }
 
 void WorkerThreads::submit(std::function<void()> job) {
+  if (threads_.empty()) {
+    job();
+    const std::lock_guard lock(mutex_);
+    ++num_submitted_;
+    return;
+  }
   {
     std::unique_lock lock(mutex_);
     slot_is_free_.wait(lock, [&] { return waiting_.size() < capacity_; });

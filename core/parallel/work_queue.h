@@ -21,7 +21,7 @@ namespace hydrabench {
 /// Threads that take jobs in order of submission. The part of WorkQueue without a type.
 class WorkerThreads {
  public:
-  /// @param num_threads  at least 1
+  /// @param num_threads  0: submit() does the job itself
   /// @param capacity     jobs that may wait for a thread, at least 1
   WorkerThreads(int num_threads, std::size_t capacity);
   /// Jobs that have not begun are dropped; those that have are waited for.

@@ -153,7 +153,7 @@ void read(ConfigReader& reader, HydraPlusPlus::Config& config) {
   reader.field("min_track_confidence", config.min_track_confidence, Bounds{0, 1});
   reader.field("best_view_trim", config.best_view_trim, Bounds{0, 0.49});
   auto estimation = reader.section("estimation");
-  estimation.field("workers", config.estimation.workers, Bounds{1, 256});
+  estimation.field("workers", config.estimation.workers, Bounds{0, 256});
   estimation.field("queue", config.estimation.queue, Bounds{1, 1e6});
   read(reader, config.decision);
   reader.field("partial_views", config.partial_views, Bounds{1, 1000});

@@ -55,7 +55,7 @@ class HydraPlusPlus : public MappingSystem {
     /// See seenVolume(); 0: the box of all points (paper).
     double best_view_trim = 0;
     struct Estimation {
-      int workers = 1;  ///< threads
+      int workers = 1;  ///< threads; 0: the mapping thread itself, and mapping waits
       int queue = 16;   ///< tracks that may wait for one; then mapping waits
     } estimation;
     DecisionConfig decision;

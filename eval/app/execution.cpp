@@ -12,6 +12,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
 #include "eval/app/progress.h"
 #include "eval/experiment/executor.h"
 
@@ -152,6 +153,9 @@ void carryOut(const Plan& plan, const Execution& execution) {
       slurm ? 1 : std::clamp<std::size_t>(planned / execution.jobs, 1, kRunsAtOnce);
   const std::vector<Job> jobs = missingJobs(plan, store, at_once);
   if (jobs.empty()) return;
+  if (slurm && execution.count_instructions) {
+    throw InputError("--count-instructions: with --executor slurm, expected --executor local");
+  }
   store.requireWritable();
   const std::size_t missing = numRuns(jobs);
   if (missing < planned) {
@@ -169,7 +173,20 @@ void carryOut(const Plan& plan, const Execution& execution) {
     config.jobs = execution.jobs;
     config.threads = chosenThreads();
     config.memory_limit_mib = execution.memory_limit_mib;
-    executeLocally(jobs, store, config, progress.events());
+    if (!execution.count_instructions)
+      return executeLocally(jobs, store, config, progress.events());
+    // Scores are made by a process of full speed.
+    std::vector<Job> counted = jobs;
+    std::vector<Job> scored = jobs;
+    for (Job& job : counted) job.scores.clear();
+    for (Job& job : scored) job.runs.clear();
+    std::erase_if(counted, [](const Job& job) { return job.runs.empty(); });
+    config.count_instructions = true;
+    executeLocally(counted, store, config, progress.events());
+    config.count_instructions = false;
+    ExecutorEvents failures;
+    failures.on_failure = progress.events().on_failure;
+    executeLocally(scored, store, config, failures);
   }
 }
 
@@ -179,10 +196,11 @@ void tellFailures(const std::vector<UnitFailure>& failures, const Execution& exe
   std::string text;
   fmt::print(stderr, "{} failed:\n", failures.size());
   for (const UnitFailure& failure : failures) {
+    const bool by_hand = !failure.job.empty() && !execution.count_instructions;
     const std::string again =
-        failure.job.empty() ? ""
-                            : fmt::format("  again: hydrabench work --store {} {}\n",
-                                          execution.store().root().string(), failure.job.string());
+        !by_hand ? ""
+                 : fmt::format("  again: hydrabench work --store {} {}\n",
+                               execution.store().root().string(), failure.job.string());
     text += fmt::format("{}: {}\n{}", failure.unit, failure.message, again);
     fmt::print(stderr, "{}\n{}", failure.unit, again);  // why was said when it happened
   }

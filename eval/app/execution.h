@@ -21,6 +21,7 @@ struct Execution {
   std::size_t jobs = 1;
   std::uint64_t memory_limit_mib = 0;
   std::vector<std::string> sbatch;
+  bool count_instructions = false;  ///< run only
 
   UnitStore store() const { return UnitStore(storeFolder(store_option)); }
 };

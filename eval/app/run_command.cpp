@@ -45,6 +45,7 @@ void printTables(const Result& result, const std::map<std::string, double>& fram
     fmt::print("{}\n", renderTerminal(comparisonTable(scores, kAllMicro, result.notes),
                                       isatty(STDOUT_FILENO) == 1));
   }
+  if (result.timing.empty()) return;
   double peak_mib = 0;
   for (const TimingRow& row : result.timing) peak_mib = std::max(peak_mib, row.peak_rss_mib);
   fmt::print("{}peak memory {:.0f} MiB\n", timingSummary(result.timing, frame_period_s), peak_mib);
@@ -55,7 +56,9 @@ int run(const Options& options) {
   const std::vector<ExperimentConfig> experiments = {
       readExperiment(options.experiment, options.overrides)};
   const ExperimentConfig& experiment = experiments.front();
-  const Plan plan = planOf(experiments);
+  const Plan plan =
+      planOf(experiments,
+             options.execution.count_instructions ? FrameCost::kInstructions : FrameCost::kTime);
   AtomicFolder folder(options.out, replaceableMarker(options.out, options.replace));
   carryOut(plan, options.execution);
 
@@ -90,6 +93,9 @@ Command addRun(CLI::App& app) {
   app.add_flag("--replace", options->replace, "replace the result folder if it exists");
   addOverrides(app, options->overrides, "methods.hydra.objects.cluster_tolerance_m=0.2");
   addExecution(app, options->execution);
+  app.add_flag("--count-instructions", options->execution.count_instructions,
+               "count the instructions of every frame instead of timing it (valgrind, one thread, "
+               "some 50 times slower): what 'compare' tells apart on any busy machine");
   app.footer(
       "Keys: dataset.KEY for every dataset, methods.NAME.KEY for a method, evaluation.KEY,\n"
       "datasets.0.seeds=[1,2] and the like for the experiment itself.\n"

@@ -24,7 +24,8 @@ namespace {
 
 /// What the store has of one method on one world.
 struct Gathered {
-  std::vector<TimingRow> timing;
+  bool mapped = false;
+  std::vector<TimingRow> timing;  ///< none where instructions were counted: it takes long then
   std::vector<FrameTimes> frame_times;
   double frame_period_s = 0;
   std::optional<MethodEvaluation> evaluation;
@@ -71,8 +72,10 @@ Gathered gather(const ExperimentConfig& experiment, const MethodConfig& method,
   };
   if (!store.isDone(cell.run)) return fail(cell.run);
   const fs::path run = store.runFolder(cell.run);
-  gathered.timing = timingOf(run, dataset, method.name);
+  gathered.mapped = true;
   gathered.frame_times = frameTimesOf(run, dataset, method.name);
+  const bool counted = !gathered.frame_times.empty() && gathered.frame_times.front().isCounted();
+  if (!counted) gathered.timing = timingOf(run, dataset, method.name);
   gathered.frame_period_s = readRunRecord(run / kRunRecordFile).frame_period_s;
   if (!store.isDone(cell.score)) return fail(cell.score);
   if (scores == Scores::kLeftOut) return gathered;
@@ -132,7 +135,7 @@ class Assembly {
   bool add(const std::string& dataset, const std::string& seed, const std::string& method,
            Gathered gathered) {
     Result& result = outcome_.result;
-    if (!gathered.timing.empty()) {
+    if (gathered.mapped) {
       ++outcome_.predictions;
       result.timing.insert(result.timing.end(), gathered.timing.begin(), gathered.timing.end());
       std::move(gathered.frame_times.begin(), gathered.frame_times.end(),

@@ -29,6 +29,7 @@ struct LocalConfig {
   std::size_t jobs = 1;                ///< processes
   int threads = 0;                     ///< of each; 0: all cores shared out
   std::uint64_t memory_limit_mib = 0;  ///< of each; 0: none
+  bool count_instructions = false;     ///< of every frame, by an InstructionCounter
   std::string program = "/proc/self/exe";
 };
 /// In processes on this machine, each with one job after another. A process that dies (a crash, the

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <deque>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "core/process/child_process.h"
 #include "core/types/error.h"
 #include "eval/experiment/executor.h"
+#include "eval/experiment/instruction_counter.h"
 #include "eval/experiment/job_runner.h"
 
 namespace hydrabench {
@@ -48,11 +50,29 @@ std::vector<Job> singleUnits(const Job& job, const UnitStore& store) {
   return singles;
 }
 
+/// A folder for as long as this object lives.
+struct ScratchFolder {
+  explicit ScratchFolder(std::filesystem::path folder) : path(std::move(folder)) {
+    std::filesystem::create_directories(path);
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::filesystem::path path;
+};
+
 class LocalExecutor {
  public:
   LocalExecutor(const std::vector<Job>& jobs, const UnitStore& store, const LocalConfig& config,
                 const ExecutorEvents& events)
       : store_(store), config_(config), events_(events), waiting_(jobs.begin(), jobs.end()) {
+    if (config.count_instructions) {
+      scratch_.emplace(store.root() / fmt::format("counting_{}", ::getpid()));
+    }
     workers_.resize(std::min(std::max<std::size_t>(1, config.jobs), jobs.size()));
   }
 
@@ -81,12 +101,21 @@ class LocalExecutor {
 
   std::unique_ptr<ChildProcess> start() const {
     const auto cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    const int threads = config_.threads > 0
+    // Threads that wait for each other spin: a number of instructions that is none of the work.
+    const int threads = config_.count_instructions ? 1
+                        : config_.threads > 0
                             ? config_.threads
                             : std::max(1, cores / static_cast<int>(workers_.size()));
     ChildProcess::Config config;
-    config.command = {config_.program, "work",        "-",
-                      "--store",       store_.root(), fmt::format("--threads={}", threads)};
+    if (scratch_) config.command = InstructionCounter::launcher(scratch_->path);
+    // Behind a launcher, "/proc/self" would be the launcher's.
+    const std::string program =
+        scratch_ ? std::filesystem::canonical(config_.program).string() : config_.program;
+    for (const std::string& argument :
+         {program, std::string("work"), std::string("-"), std::string("--store"),
+          store_.root().string(), fmt::format("--threads={}", threads)}) {
+      config.command.push_back(argument);
+    }
     config.memory_limit_mib = config_.memory_limit_mib;
     return std::make_unique<ChildProcess>(config);
   }
@@ -172,6 +201,7 @@ class LocalExecutor {
   const LocalConfig& config_;
   const ExecutorEvents& events_;
   std::deque<Job> waiting_;
+  std::optional<ScratchFolder> scratch_;  ///< where instructions are counted; outlives the workers
   std::vector<Worker> workers_;
 };
 

@@ -6,10 +6,12 @@
 #include <cassert>
 #include <exception>
 #include <memory>
+#include <optional>
 
 #include "core/graph/spark_dsg_json.h"
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
+#include "eval/experiment/instruction_counter.h"
 #include "eval/experiment/yardstick.h"
 
 namespace hydrabench {
@@ -20,6 +22,7 @@ struct Worker {
   std::unique_ptr<MappingSystem> system;
   StageTimes whole;  ///< process() as "frame", finish() as "finish"
   StageCounts warm_up;
+  std::vector<double> instructions;  ///< of process() [10^6], where they are counted
 
   StageTimes times() const {
     StageTimes all = whole;
@@ -32,6 +35,12 @@ struct Worker {
   /// From the end of the warm-up.
   /// @param yardstick_ms  of every frame
   void fill(const std::vector<double>& yardstick_ms, FrameTimes& times) const {
+    if (!instructions.empty()) {
+      const std::size_t first = instructions.size() > kWarmUpFrames ? kWarmUpFrames : 0;
+      times.instructions.assign(instructions.begin() + static_cast<std::ptrdiff_t>(first),
+                                instructions.end());
+      return;
+    }
     for (const StageTimes::Stage& stage : whole.stages()) {
       if (stage.name != "frame") continue;
       const std::size_t first = stage.samples.size() > kWarmUpFrames ? kWarmUpFrames : 0;
@@ -42,6 +51,13 @@ struct Worker {
     }
   }
 };
+
+void process(const Frame& frame, std::optional<InstructionCounter>& counter, Worker& worker) {
+  const StageTimes::Scope scope(worker.whole, "frame");
+  if (counter) counter->start();
+  worker.system->process(frame);
+  if (counter) worker.instructions.push_back(static_cast<double>(counter->stop()) * 1e-6);
+}
 
 /// Runs a step of a method; on an exception the method is out.
 void attempt(MethodRun& run, const std::function<void()>& step) {
@@ -75,6 +91,8 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
   const std::size_t count =
       max_frames == 0 ? dataset.numFrames() : std::min(max_frames, dataset.numFrames());
   std::int64_t first_stamp_ns = 0;
+  std::optional<InstructionCounter> counter;
+  if (InstructionCounter::isAvailable()) counter.emplace();
   Yardstick yardstick;
   std::vector<double> yardstick_ms;
   const auto failed = [](const MethodRun& run) { return !run.failure.empty(); };
@@ -84,10 +102,7 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
     for (std::size_t m = 0; m < methods.size(); ++m) {
       attempt(runs[m], [&] {
         Worker& worker = workers[m];
-        {
-          const StageTimes::Scope scope(worker.whole, "frame");
-          worker.system->process(frame);
-        }
+        process(frame, counter, worker);
         if (i + 1 == kWarmUpFrames) worker.warm_up = stageCounts(worker.times());
       });
     }
@@ -117,7 +132,7 @@ DatasetRun mapDataset(const Dataset& dataset, const std::vector<MethodConfig>& m
       const std::string seed = std::to_string(dataset.seed());
       runs[m].timing =
           timingRows(dataset.name(), seed, methods[m].name, worker.times(), worker.warm_up);
-      runs[m].frame_times = {dataset.name(), seed, methods[m].name, {}, {}};
+      runs[m].frame_times = {dataset.name(), seed, methods[m].name, {}, {}, {}};
       worker.fill(yardstick_ms, runs[m].frame_times);
     });
     workers[m].system.reset();  // its memory, before the next one finishes

@@ -50,6 +50,8 @@ std::string decisionText(const MethodConfig& method) {
 
 class Planner {
  public:
+  explicit Planner(FrameCost cost) : cost_(cost) {}
+
   void add(const ExperimentConfig& experiment) {
     Plan::PlannedExperiment& planned = plan_.experiments.emplace_back();
     std::set<std::string> names;
@@ -127,7 +129,7 @@ class Planner {
 
   std::string run(std::size_t world, const MethodConfig& method, const std::string& files) {
     const std::string hash = ContentHash()
-                                 .add("run")
+                                 .add(cost_ == FrameCost::kTime ? "run" : "counted run")
                                  .add(world_keys_[world])
                                  .add(withoutCurrentFolder(method.mapping_config))
                                  .add(files)
@@ -154,6 +156,7 @@ class Planner {
     return hash;
   }
 
+  FrameCost cost_;
   Plan plan_;
   std::map<std::string, std::size_t> worlds_;  ///< index by key
   std::vector<std::string> world_keys_;
@@ -163,8 +166,8 @@ class Planner {
 
 }  // namespace
 
-Plan planOf(const std::vector<ExperimentConfig>& experiments) {
-  Planner planner;
+Plan planOf(const std::vector<ExperimentConfig>& experiments, FrameCost cost) {
+  Planner planner(cost);
   for (const ExperimentConfig& experiment : experiments) planner.add(experiment);
   return planner.take();
 }

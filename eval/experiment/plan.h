@@ -39,9 +39,13 @@ struct Plan {
   std::vector<PlannedExperiment> experiments;
 };
 
+/// What is measured of every frame.
+enum class FrameCost { kTime, kInstructions };
+
 /// Reads the configs of all datasets; generates and opens none. Throws InputError for a dataset or
 /// file that is not there, and for two datasets of one name in an experiment.
-Plan planOf(const std::vector<ExperimentConfig>& experiments);
+/// @param cost  runs whose instructions are counted are others than those that are timed
+Plan planOf(const std::vector<ExperimentConfig>& experiments, FrameCost cost = FrameCost::kTime);
 
 /// What is not in the store yet, by world.
 /// @param max_runs  that a job maps at once, at least 1

@@ -9,13 +9,13 @@
 #include <iterator>
 #include <optional>
 #include <spawn.h>
-#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "core/io/atomic_file.h"
+#include "core/process/find_program.h"
 
 extern char** environ;
 
@@ -180,16 +180,6 @@ void writePanel(const Plot& plot, std::size_t p, double bottom, double top, std:
   }
 }
 
-std::string findGnuplot() {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::filesystem::path candidate = std::filesystem::path(folder) / "gnuplot";
-    if (!folder.empty() && access(candidate.c_str(), X_OK) == 0) return candidate.string();
-  }
-  return "";
-}
-
 /// Runs `gnuplot file` in a folder; its exit status, what it says in `log`.
 int runGnuplot(const std::string& program, const std::filesystem::path& folder,
                const std::string& file, const std::string& log) {
@@ -215,7 +205,7 @@ int runGnuplot(const std::string& program, const std::filesystem::path& folder,
 
 }  // namespace
 
-bool canPlot() { return !findGnuplot().empty(); }
+bool canPlot() { return !findProgram("gnuplot").empty(); }
 
 std::string gnuplotScript(const Plot& plot, const std::string& name) {
   const auto panels = static_cast<int>(plot.panels.size());
@@ -257,7 +247,7 @@ std::string drawPlot(const Plot& plot, const std::filesystem::path& folder,
   if (plot.panels.empty()) return "";
   const std::string script = name + ".gp";
   writeFileAtomic(folder / script, gnuplotScript(plot, name));
-  const std::string program = findGnuplot();
+  const std::string program = findProgram("gnuplot");
   if (program.empty()) {
     return fmt::format(
         "{}: not drawn, gnuplot is not installed (Debian: gnuplot-nox); later: "

@@ -71,12 +71,14 @@ Verdict judge(double low, double high, double floor, int better) {
 /// Fewer tell nothing of what a machine does besides.
 constexpr std::size_t kFewestStretches = 8;
 
-/// Times of both results over stretches of frames, each in units of the yardstick that was timed
-/// beside it, so that other work on the machine, then or now, is not taken for the program's. Of a
-/// yardstick's times the median counts: threads that wake up late make some of them far too long.
+/// The cost of the same frames in both results, over stretches of them. Times are taken in units
+/// of the yardstick that was timed beside each stretch, so that other work on the machine, then or
+/// now, is not taken for the program's. Of a yardstick's times the median counts: threads that wake
+/// up late make some of them far too long. Nothing disturbs a count of instructions: there a frame
+/// is a stretch.
 class Stretches {
  public:
-  void addWorld(const FrameTimes& before, const FrameTimes& after) {
+  void addTimed(const FrameTimes& before, const FrameTimes& after) {
     constexpr std::size_t kFrames = 25;
     for (std::size_t begin = 0; begin < before.wall_ms.size(); begin += kFrames) {
       const std::size_t end = std::min(begin + kFrames, before.wall_ms.size());
@@ -89,24 +91,33 @@ class Stretches {
                                 times.yardstick_ms.begin() + static_cast<std::ptrdiff_t>(end)));
       };
       const PairedValue sum{wall(before), wall(after)};
-      wall_.push_back(sum);
+      cost_.push_back(sum);
       const bool measured = !before.yardstick_ms.empty() && !after.yardstick_ms.empty();
       relative_.push_back(
           measured ? PairedValue{sum.a / yardstick(before), sum.b / yardstick(after)} : sum);
     }
     frames_ += before.wall_ms.size();
+    timed_ = true;
+  }
+
+  void addCounted(const FrameTimes& before, const FrameTimes& after) {
+    for (std::size_t i = 0; i < before.instructions.size(); ++i) {
+      cost_.push_back({before.instructions[i], after.instructions[i]});
+    }
+    relative_ = cost_;
+    frames_ = cost_.size();
   }
 
   /// Nothing where there are no frames.
-  std::optional<Line> compared(const NoiseFloor& floor) const {
-    std::vector<std::size_t> all(wall_.size());
+  std::optional<Line> compared(const std::string& metric, const NoiseFloor& floor) const {
+    std::vector<std::size_t> all(cost_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const PairedValue total = sum(wall_, all);
+    const PairedValue total = sum(cost_, all);
     if (total.a <= 0) return std::nullopt;
     BootstrapConfig config;
     config.resamples = floor.resamples;
     // All worlds in one stratum: short ones have but a stretch or two.
-    const std::vector<std::size_t> sizes = {wall_.size()};
+    const std::vector<std::size_t> sizes = {cost_.size()};
     const auto change = bootstrapStatistic(
         sizes,
         [&](std::span<const std::size_t> drawn) -> std::optional<double> {
@@ -116,17 +127,18 @@ class Stretches {
         },
         config);
     Line line;
-    line.metric = "time per frame [ms]";
+    line.metric = metric;
+    line.relative = true;
     line.before = total.a / static_cast<double>(frames_);
     line.after = total.b / static_cast<double>(frames_);
     line.low = change->interval.low;
     line.high = change->interval.high;
     // Two runs never take the same time: a little faster is the same, as a little slower is.
-    const bool one_run = std::all_of(wall_.begin(), wall_.end(),
-                                     [](const PairedValue& times) { return times.a == times.b; });
+    const bool one_run = std::all_of(cost_.begin(), cost_.end(),
+                                     [](const PairedValue& cost) { return cost.a == cost.b; });
     if (one_run) {
       line.verdict = Verdict::kSame;
-    } else if (wall_.size() < kFewestStretches) {
+    } else if (timed_ && cost_.size() < kFewestStretches) {
       line.verdict = Verdict::kInconclusive;
     } else if (line.low > floor.time_share / 2) {
       line.verdict = Verdict::kWorse;
@@ -150,9 +162,10 @@ class Stretches {
     return total;
   }
 
-  std::vector<PairedValue> wall_;      ///< a: before, b: after [ms]
-  std::vector<PairedValue> relative_;  ///< in units of the yardstick, where both have one
+  std::vector<PairedValue> cost_;      ///< a: before, b: after [ms] or [10^6 instructions]
+  std::vector<PairedValue> relative_;  ///< times in units of the yardstick, where both have one
   std::size_t frames_ = 0;
+  bool timed_ = false;
 };
 
 class Comparer {
@@ -181,7 +194,7 @@ class Comparer {
       throw InputError(fmt::format("{} and {}: no method on a world of both, nothing to compare",
                                    before_path_.string(), after_path_.string()));
     }
-    if (floor_.compare_times) compareTimes();
+    if (floor_.compare_times) compareCosts();
     return std::move(comparison_);
   }
 
@@ -247,38 +260,55 @@ class Comparer {
     }
   }
 
-  /// Time per frame: the same frames in both results, drawn in stretches, because what slows a
-  /// machine down lasts longer than a frame.
-  void compareTimes() {
+  /// Time or instructions per frame, the same frames in both results. Times are drawn in
+  /// stretches, because what slows a machine down lasts longer than a frame.
+  void compareCosts() {
     const fs::path before_file = before_path_ / kFrameTimesFile;
     const fs::path after_file = after_path_ / kFrameTimesFile;
     if (!fs::exists(before_file) || !fs::exists(after_file)) {
       return note("time: not compared, not both results were timed frame by frame");
     }
-    if (machine(before_path_) != machine(after_path_)) {
-      return note(fmt::format("time: not compared, other machines ({}; {})", machine(before_path_),
-                              machine(after_path_)));
-    }
+    const bool same_machine = machine(before_path_) == machine(after_path_);
+    bool timed = false;
     using Key = std::pair<std::string, std::string>;
     std::map<Key, std::map<std::string, FrameTimes>> before;
     for (FrameTimes& times : readFrameTimesCsv(before_file)) {
       before[{times.dataset, times.method}][times.seed] = std::move(times);
     }
-    std::map<Key, Stretches> methods;
+    std::map<Key, Stretches> by_time, by_count;
     for (const FrameTimes& times : readFrameTimesCsv(after_file)) {
       const auto known = before.find({times.dataset, times.method});
       if (known == before.end() || !known->second.contains(times.seed)) continue;
       const FrameTimes& earlier = known->second.at(times.seed);
-      if (earlier.wall_ms.size() != times.wall_ms.size()) {
-        note(fmt::format("time: {}, seed {}, {}: not compared, {} frames before and {} after",
-                         times.dataset, times.seed, methodLabel(times.method),
-                         earlier.wall_ms.size(), times.wall_ms.size()));
-        continue;
+      const auto notCompared = [&](const std::string& why) {
+        note(fmt::format("time: {}, seed {}, {}: not compared, {}", times.dataset, times.seed,
+                         methodLabel(times.method), why));
+      };
+      const Key key{times.dataset, times.method};
+      if (earlier.isCounted() != times.isCounted()) {
+        notCompared("timed in one result, counted in instructions in the other");
+      } else if (earlier.numFrames() != times.numFrames()) {
+        notCompared(
+            fmt::format("{} frames before and {} after", earlier.numFrames(), times.numFrames()));
+      } else if (times.isCounted()) {
+        by_count[key].addCounted(earlier, times);
+      } else if (same_machine) {
+        by_time[key].addTimed(earlier, times);
       }
-      methods[{times.dataset, times.method}].addWorld(earlier, times);
+      timed |= !times.isCounted();
     }
+    if (timed && !same_machine) {
+      note(fmt::format("time: not compared, other machines ({}; {})", machine(before_path_),
+                       machine(after_path_)));
+    }
+    addLines(by_time, "time per frame [ms]");
+    addLines(by_count, "10^6 instructions per frame");
+  }
+
+  void addLines(const std::map<std::pair<std::string, std::string>, Stretches>& methods,
+                const std::string& metric) {
     for (const auto& [key, stretches] : methods) {
-      if (auto line = stretches.compared(floor_)) {
+      if (auto line = stretches.compared(metric, floor_)) {
         line->dataset = key.first;
         line->method = key.second;
         comparison_.lines.push_back(std::move(*line));
@@ -360,10 +390,9 @@ std::string comparisonMarkdown(const ResultComparison& comparison) {
       "| dataset | method | metric | before | after | difference, 95 % | verdict |\n"
       "|---|---|---|---:|---:|---|---|\n";
   for (const Line& line : comparison.lines) {
-    const bool time = line.metric.starts_with("time");
     const std::string difference =
-        time ? fmt::format("{:+.1f} to {:+.1f} %", 100 * line.low, 100 * line.high)
-             : fmt::format("{:+.4f} to {:+.4f}", line.low, line.high);
+        line.relative ? fmt::format("{:+.1f} to {:+.1f} %", 100 * line.low, 100 * line.high)
+                      : fmt::format("{:+.4f} to {:+.4f}", line.low, line.high);
     text += fmt::format("| {} | {} | {} | {:.4g} | {:.4g} | {} | {} |\n", line.dataset,
                         methodLabel(line.method), line.metric, line.before, line.after, difference,
                         name(line.verdict));

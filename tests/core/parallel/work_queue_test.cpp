@@ -120,6 +120,17 @@ TEST(WorkQueue, TheDestructorWaitsForRunningJobsAndDropsTheOthers) {
   EXPECT_EQ(held.use_count(), 1);
 }
 
+TEST(WorkQueue, WithoutThreadsTheCallerDoesTheWork) {
+  WorkQueue<std::thread::id> queue(0, 1);
+  for (int i = 0; i < 3; ++i) queue.submit([] { return std::this_thread::get_id(); });
+  queue.submit([]() -> std::thread::id { throw std::runtime_error("out of luck"); });
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(queue.ready());
+    EXPECT_EQ(queue.take(), std::this_thread::get_id());
+  }
+  EXPECT_THROW(queue.take(), std::runtime_error);
+}
+
 TEST(WorkQueue, AnIdleQueueEnds) { const WorkQueue<int> queue(3, 1); }
 
 TEST(WorkQueue, JobsMayRunLoopsOfTheirOwn) {

@@ -321,6 +321,8 @@ TEST(HydraPlusPlus, WorkersAndThreadsChangeNoByte) {
   setNumThreads(0);
   EXPECT_EQ(bytesOf(one), bytesOf(three));
   EXPECT_EQ(estimator->seeds, 0u);  // each track's was drawn twice
+  config.estimation.workers = 0;    // on the mapping thread
+  EXPECT_EQ(bytesOf(one), bytesOf(drive(world, alongRow(), config, estimator)));
 }
 
 TEST(HydraPlusPlus, ASlowEstimatorDoesNotHoldUpMapping) {

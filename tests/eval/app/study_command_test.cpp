@@ -163,6 +163,26 @@ TEST_F(StudyCommand, AGateTellsAWorseResultFromTheSame) {
   EXPECT_EQ(run("compare before nowhere --gate").exit_code, 2);
 }
 
+TEST_F(StudyCommand, RunsOfOneProgramExecuteTheSameInstructions) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "valgrind does not run a program with sanitizers";
+#endif
+  const std::string small =
+      " --count-instructions --set max_frames=13 --set methods='[{config: " +
+      (fs::path(HYDRABENCH_SOURCE_DIR) / "configs/methods/hydra.yaml").string() + "}]'";
+  ASSERT_EQ(run("run base.yaml --out before" + small).exit_code, 0);
+  const Outcome again = run("run base.yaml --out after" + small, "", "another_store");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out, Not(HasSubstr("peak memory")));
+  EXPECT_FALSE(fs::exists(folder_ / "after/timing.csv"));
+  const Outcome same = run("compare before after --gate --floor-time 0.002");
+  EXPECT_EQ(same.exit_code, 0) << same.out;
+  EXPECT_THAT(same.out, HasSubstr("instructions per frame"));
+  for (const auto& entry : fs::directory_iterator(folder_ / "store")) {
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("counting")));
+  }
+}
+
 TEST_F(StudyCommand, AnExperimentIsNoSweep) {
   const Outcome outcome = run("sweep base.yaml --out swept");
   EXPECT_EQ(outcome.exit_code, 2);

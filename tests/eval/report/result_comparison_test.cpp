@@ -74,7 +74,7 @@ class CompareResults : public ::testing::Test {
     writeText(folder_ / name / "scores.csv", scoresCsv(rows));
     writeText(folder_ / name / "objects.csv", objectsCsv(evaluations));
     // Frames take turns in being quick and slow; every tenth stretch of 25 hits other work.
-    FrameTimes times{"office", "1", "hydra", {}, {}};
+    FrameTimes times{"office", "1", "hydra", {}, {}, {}};
     for (int i = 0; i < 500; ++i) {
       const double other_work = i / 25 % 10 == 0 ? other_work_ : 1;
       times.wall_ms.push_back(frame_ms * (1 + i % 3) / 2 * other_work);
@@ -224,16 +224,41 @@ TEST_F(CompareResults, AFewFramesAreTooLittleToSay) {
   write("a", {finder(30, 0.8)}, 10);
   write("b", {finder(30, 0.8)}, 13);
   for (const auto& [name, frame_ms] : {std::pair{"a", 10.0}, std::pair{"b", 20.0}}) {
-    const FrameTimes times{"office", "1", "hydra", std::vector<double>(7 * 25, frame_ms), {}};
+    const FrameTimes times{"office", "1", "hydra", std::vector<double>(7 * 25, frame_ms), {}, {}};
     writeText(folder_ / name / "frame_times.csv", frameTimesCsv({times}));
   }
   EXPECT_EQ(line(compare(), kTime).verdict, Verdict::kInconclusive);
 }
 
+TEST_F(CompareResults, InstructionsAreComparedOnAnyMachineAndInsteadOfTimes) {
+  constexpr const char* kInstructions = "10^6 instructions per frame";
+  const auto writeCounted = [&](const std::string& name, double millions, const std::string& cpu) {
+    write(name, {finder(30, 0.8)}, 10, cpu);
+    FrameTimes counted{"office", "1", "hydra", {}, {}, {}};
+    for (int i = 0; i < 10; ++i) counted.instructions.push_back(millions * (1 + i % 3));
+    writeText(folder_ / name / "frame_times.csv", frameTimesCsv({counted}));
+  };
+  writeCounted("a", 100, "some cpu");
+  writeCounted("b", 100.01, "another cpu");
+  EXPECT_EQ(line(compare(), kInstructions).verdict, Verdict::kSame);
+  EXPECT_NEAR(line(compare(), kInstructions).before, 190, 1e-9);
+  EXPECT_NEAR(line(compare(), kInstructions).high, 1e-4, 1e-9);
+  EXPECT_THAT(compare().notes, SizeIs(0));
+  writeCounted("b", 105, "some cpu");
+  EXPECT_EQ(line(compare(), kInstructions).verdict, Verdict::kWorse);
+  EXPECT_THAT(comparisonMarkdown(compare()), HasSubstr("+5.0 to +5.0 %"));
+  EXPECT_THROW(line(compare(), kTime), std::runtime_error);
+  writeCounted("b", 90, "some cpu");
+  EXPECT_EQ(line(compare(), kInstructions).verdict, Verdict::kBetter);
+  write("b", {finder(30, 0.8)}, 10);
+  EXPECT_THAT(compare().notes, ::testing::ElementsAre(HasSubstr("timed in one result")));
+}
+
 TEST_F(CompareResults, OtherFramesAreNotCompared) {
   write("a", {finder(30, 0.8)}, 10);
   write("b", {finder(30, 0.8)}, 10);
-  writeText(folder_ / "b/frame_times.csv", frameTimesCsv({{"office", "1", "hydra", {10, 10}, {}}}));
+  writeText(folder_ / "b/frame_times.csv",
+            frameTimesCsv({{"office", "1", "hydra", {10, 10}, {}, {}}}));
   EXPECT_THAT(compare().notes, ::testing::ElementsAre(HasSubstr("500 frames before and 2 after")));
 }
 
