@@ -3,6 +3,7 @@
 #include "core/mapping/active_window.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "core/mapping/frame_check.h"
@@ -27,7 +28,8 @@ ActiveWindow::ActiveWindow(const Config& config)
       integrator_(config.integrator),
       freespace_(config.freespace),
       volume_(config.tsdf),
-      mesh_(config.vertex_merge_m) {}
+      mesh_(config.vertex_merge_m,
+            config.revisited == "best" ? MapMesh::Revisited::kBest : MapMesh::Revisited::kBoth) {}
 
 void ActiveWindow::integrate(const SensorView& view, const TsdfIntegrator& integrator) {
   requireInsideGrid(view.stamp_ns, view.T_world_sensor.translation(),
@@ -60,7 +62,8 @@ std::vector<BlockIndex> ActiveWindow::update(std::int64_t stamp_ns,
   for (const BlockIndex& index : left) {
     archive(index);
     // Its cubes are theirs too: if they are measured again, they can no longer be taken in full.
-    forLowerNeighbors(index, [&](const BlockIndex& lower) { mesh_.archive(lower); });
+    forLowerNeighbors(
+        index, [&](const BlockIndex& lower) { mesh_.archive(lower, confidence(lower), false); });
   }
   return left;
 }
@@ -108,8 +111,18 @@ void ActiveWindow::takeMesh() {
   for (std::size_t i = 0; i < outdated.size(); ++i) mesh_.update(outdated[i], soups[i]);
 }
 
+double ActiveWindow::confidence(const BlockIndex& block) const {
+  const VoxelBlock* voxels = volume_.find(block);
+  if (voxels == nullptr) return 0;
+  double sum = 0;
+  for (const TsdfVoxel& voxel : voxels->voxels) {
+    if (std::abs(voxel.distance) < volume_.config().truncation_m) sum += voxel.weight;
+  }
+  return sum;
+}
+
 void ActiveWindow::archive(const BlockIndex& block) {
-  mesh_.archive(block);
+  mesh_.archive(block, confidence(block));
   if (config_.keep_occupied) {
     const VoxelGrid& grid = volume_.grid();
     const std::vector<TsdfVoxel>& voxels = volume_.find(block)->voxels;
@@ -131,6 +144,7 @@ void read(ConfigReader& reader, ActiveWindow::Config& config) {
   reader.field("window_s", config.window_s, Bounds{0.0, 1e6});
   reader.field("mesh_min_weight", config.mesh_min_weight, Bounds{0.0, 1e9});
   reader.field("vertex_merge_m", config.vertex_merge_m, Bounds{1e-6, 10.0});
+  reader.choice("revisited", config.revisited, {"both", "best"});
   reader.field("output_separation_s", config.output_separation_s, Bounds{0.0, 1e6});
   reader.field("keep_occupied", config.keep_occupied);
   reader.field("track_freespace", config.track_freespace);

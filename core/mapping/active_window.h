@@ -39,6 +39,10 @@ class ActiveWindow {
     double window_s = 3;
     double mesh_min_weight = 1e-4;
     double vertex_merge_m = 0.005;
+    /// Of a block that left the window and is seen again. both: its old and its new surface are in
+    /// the map (Hydra, Khronos). best: the one whose voxels have more weight, so that a place that
+    /// was passed is not drawn once more as it looks from afar.
+    std::string revisited = "both";
     double output_separation_s = 0.2;  ///< of two updates of the mesh
     /// Keep a list of the voxels that are behind a surface when their block leaves the map: to
     /// judge what a map takes for solid. Voxels the mesh does not see (mesh_min_weight) are left
@@ -77,6 +81,8 @@ class ActiveWindow {
   /// Sets the blocks' left_window.
   void closeWindow(std::int64_t stamp_ns, const Eigen::Vector3d& sensor_position);
   void archive(const BlockIndex& block);
+  /// Sum of the weights near the surface; 0 where the block is not there.
+  double confidence(const BlockIndex& block) const;
 
   Config config_;
   TsdfIntegrator integrator_;

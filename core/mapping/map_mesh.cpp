@@ -57,7 +57,8 @@ void removeDuplicates(std::vector<Triple>& faces) {
 
 }  // namespace
 
-MapMesh::MapMesh(double merge_resolution_m) : merge_resolution_m_(merge_resolution_m) {
+MapMesh::MapMesh(double merge_resolution_m, Revisited revisited)
+    : merge_resolution_m_(merge_resolution_m), revisited_(revisited) {
   assert(merge_resolution_m > 0);
 }
 
@@ -99,10 +100,14 @@ void MapMesh::update(const BlockIndex& block, const TriangleSoup& triangles) {
   }
 }
 
-void MapMesh::archive(const BlockIndex& block) {
+void MapMesh::archive(const BlockIndex& block, double confidence, bool left) {
+  const auto known = versions_.find(block);
+  const bool again = known != versions_.end() && known->second.complete;
+  if (known != versions_.end() && left) known->second.complete = true;
   const auto place = blocks_.find(block);
   if (place == blocks_.end()) return;
   FrozenBlock frozen;
+  if (again && confidence <= known->second.confidence) place->second.faces.clear();
   frozen.faces = std::move(place->second.faces);
   frozen.faces.shrink_to_fit();
   for (const Face& face : frozen.faces) {
@@ -113,7 +118,22 @@ void MapMesh::archive(const BlockIndex& block) {
   }
   for (Slot slot : place->second.vertices) dropUser(slot);
   blocks_.erase(place);
-  if (!frozen.faces.empty()) frozen_.push_back(std::move(frozen));
+  if (frozen.faces.empty()) return;
+  if (known != versions_.end()) {
+    FrozenBlock& version = frozen_[known->second.frozen];
+    if (!again) {  // more of the same visit
+      frozen.faces.insert(frozen.faces.end(), version.faces.begin(), version.faces.end());
+      frozen.box.extend(version.box);
+    }
+    version = std::move(frozen);
+    known->second.confidence = confidence;
+    known->second.complete = left;
+    return;
+  }
+  if (revisited_ == Revisited::kBest) {
+    versions_.emplace(block, Version{frozen_.size(), confidence, left});
+  }
+  frozen_.push_back(std::move(frozen));
 }
 
 const MapMesh::Vertex& MapMesh::vertex(VertexId id) const {

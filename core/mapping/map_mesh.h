@@ -28,13 +28,18 @@ using VertexId = std::uint32_t;
 /// block, whatever the size of the map.
 class MapMesh {
  public:
-  explicit MapMesh(double merge_resolution_m);
+  /// Of a block that was archived and is seen again there are two surfaces: both stay, or the one
+  /// that was measured better.
+  enum class Revisited { kBoth, kBest };
+  explicit MapMesh(double merge_resolution_m, Revisited revisited = Revisited::kBoth);
 
   /// Replaces the triangles of an active block. A vertex that stays in its cell keeps its id and
   /// takes the new position, colour and label; of several in one cell the first counts.
   void update(const BlockIndex& block, const TriangleSoup& triangles);
   /// Freezes the triangles of a block.
-  void archive(const BlockIndex& block);
+  /// @param confidence  how well it was measured, for kBest: the higher the better
+  /// @param left        false: its voxels are still there, and more of it may follow
+  void archive(const BlockIndex& block, double confidence = 0, bool left = true);
 
   bool alive(VertexId id) const { return id < slot_of_id_.size() && slot_of_id_[id] != kNoSlot; }
   bool active(VertexId id) const { return alive(id) && vertex(id).users > 0; }  ///< implies alive
@@ -72,6 +77,12 @@ class MapMesh {
     Aabb box;
     std::vector<Face> faces;
   };
+  /// What kBest keeps of a block.
+  struct Version {
+    std::size_t frozen = 0;  ///< place in frozen_
+    double confidence = 0;
+    bool complete = false;
+  };
 
   const Vertex& vertex(VertexId id) const;
   Eigen::Vector3i cellOf(const Eigen::Vector3d& position) const;
@@ -80,6 +91,7 @@ class MapMesh {
   Mesh assemble(std::vector<Face> faces, std::vector<Label>* labels) const;
 
   double merge_resolution_m_;
+  Revisited revisited_;
   std::vector<Vertex> vertices_;  // by slot
   std::vector<Slot> free_slots_;
   std::vector<Slot> slot_of_id_;
@@ -87,6 +99,7 @@ class MapMesh {
   std::vector<VertexId> recent_ids_;  // ascending: the active ones and some that no longer are
   std::map<BlockIndex, Block, IndexLess> blocks_;
   std::vector<FrozenBlock> frozen_;
+  std::map<BlockIndex, Version, IndexLess> versions_;
   std::uint32_t visit_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -63,12 +64,18 @@ class RangeSampler {
     return true;
   }
 
+  /// The plane through where two rows met the ground. Along a ray between them it is nearer by
+  /// height / sample.range for every metre of way.
+  struct GroundPlane {
+    float height = 0;    ///< of the sensor above it [m]
+    float farthest = 0;  ///< the larger range of the two rows [m]
+  };
   /// On the ground between two rows, as if it were a plane there: 1/range is a straight line in the
   /// angle. False unless both rows next to v measured ground in the column next to u.
-  /// @param ground    pixels other than 0 see ground
-  /// @param farthest  the larger range of the two rows [m]
-  bool betweenRows(float u, float v, const Image<std::uint8_t>& ground, RangeSample& sample,
-                   float& farthest) const {
+  /// @param ground     pixels other than 0 see ground
+  /// @param row_angle  between two rows [rad]
+  bool betweenRows(float u, float v, const Image<std::uint8_t>& ground, float row_angle,
+                   RangeSample& sample, GroundPlane& plane) const {
     if (v < 0.0f || v >= static_cast<float>(v_max_)) return false;
     const int u0 = std::min(static_cast<int>(u + 0.5f), u_max_);
     const int v0 = static_cast<int>(v);
@@ -85,7 +92,12 @@ class RangeSampler {
     sample.weights[0] = 1 - dv;
     sample.weights[1] = dv;
     sample.range = 1 / ((1 - dv) / upper_range + dv / lower_range);
-    farthest = std::max(upper_range, lower_range);
+    plane.farthest = std::max(upper_range, lower_range);
+    // Twice the area of the triangle of the sensor and both places, over its base on the ground.
+    const float difference = upper_range - lower_range;
+    const float product = upper_range * lower_range * row_angle;
+    const float base = std::sqrt(difference * difference + product * row_angle);
+    plane.height = product / base;
     return true;
   }
 

@@ -30,6 +30,36 @@ enum class Coverage {
   kMixed     ///< voxel by voxel
 };
 
+/// Answers whether a rectangle of pixels sees ground (a summed-area table).
+class GroundTable {
+ public:
+  GroundTable() = default;
+  explicit GroundTable(const Image<std::uint8_t>& ground)
+      : stride_(static_cast<std::size_t>(ground.width()) + 1),
+        sums_(stride_ * (static_cast<std::size_t>(ground.height()) + 1), 0) {
+    const std::uint8_t* pixel = ground.data();
+    for (std::size_t v = 1; v * stride_ < sums_.size(); ++v) {
+      std::uint32_t of_row = 0;
+      for (std::size_t u = 1; u < stride_; ++u) {
+        of_row += *pixel++ != 0;
+        sums_[v * stride_ + u] = sums_[(v - 1) * stride_ + u] + of_row;
+      }
+    }
+  }
+
+  bool any(const PixelRect& pixels) const {
+    const auto sum = [&](int u, int v) {
+      return sums_[static_cast<std::size_t>(v) * stride_ + static_cast<std::size_t>(u)];
+    };
+    return sum(pixels.u1 + 1, pixels.v1 + 1) + sum(pixels.u0, pixels.v0) !=
+           sum(pixels.u0, pixels.v1 + 1) + sum(pixels.u1 + 1, pixels.v0);
+  }
+
+ private:
+  std::size_t stride_ = 1;
+  std::vector<std::uint32_t> sums_;
+};
+
 /// One frame about to be fused into one volume.
 template <typename Projection>
 class FrameUpdate {
@@ -53,12 +83,14 @@ class FrameUpdate {
         ground_weight_(static_cast<float>(config.ground_band.weight)),
         between_rows_(view.lidar && view.ground && config.ground_band.extra_m > 0 &&
                       config.ground_band.between_rows),
+        row_angle_(view.lidar ? static_cast<float>(1 / view.lidar->rowsPerRadian()) : 0),
         behind_(truncation_ +
                 (view.ground ? static_cast<float>(config.ground_band.extra_m) : 0.0f)) {
     assert(view.color == nullptr || view.color->size() == view.range.size());
     assert(view.labels == nullptr || view.labels->size() == view.range.size());
     assert(view.mask == nullptr || view.mask->size() == view.range.size());
     assert(view.ground == nullptr || view.ground->size() == view.range.size());
+    if (between_rows_) ground_ = GroundTable(*view.ground);
     const double start = config.dropoff_start_voxels * grid_.voxel_size;
     if (config.weight_dropoff && start < volume.config().truncation_m) {
       dropoff_start_ = static_cast<float>(-start);
@@ -110,7 +142,8 @@ class FrameUpdate {
     const RangeTiles::Bounds seen = view_.tiles.over(pixels.u0, pixels.v0, pixels.u1, pixels.v1);
     if (nearest > seen.max + behind_ + kMargin) return Coverage::kNothing;
     const bool free = footprint.inside && seen.min > farthest + truncation_ + kMargin &&
-                      nearest > view_.min_range_m + kMargin && farthest < limit_m_ - kMargin;
+                      nearest > view_.min_range_m + kMargin && farthest < limit_m_ - kMargin &&
+                      !(between_rows_ && ground_.any(pixels));
     return free ? Coverage::kFree : Coverage::kMixed;
   }
 
@@ -160,15 +193,18 @@ class FrameUpdate {
     float v = 0;
     RangeSample sample;
     if (!projection_.project(p, u, v)) return false;
-    float farthest = 0;
-    if (!between_rows_ || !sampler_.betweenRows(u, v, *view_.ground, sample, farthest)) {
-      if (!sampler_.sample(u, v, sample)) return false;
-      farthest = sample.range;
-    }
+    RangeSampler::GroundPlane plane;
+    const bool between =
+        between_rows_ && sampler_.betweenRows(u, v, *view_.ground, row_angle_, sample, plane);
+    if (!between && !sampler_.sample(u, v, sample)) return false;
     const float range = std::sqrt(squared);
-    const float distance = sample.range - range;
-    if (!(distance >= -truncation_))
-      return updateBehindGround(farthest - range, sample, block.voxels[voxel]);
+    const float along_ray = sample.range - range;
+    const float distance = between ? along_ray * plane.height / sample.range : along_ray;
+    if (!(along_ray >= -truncation_)) {
+      const float behind = between ? plane.farthest - range : along_ray;
+      return updateBehindGround(behind, between ? distance : -truncation_, sample,
+                                block.voxels[voxel]);
+    }
     const float sdf = std::min(distance, truncation_);
     const float w = weight(p, sdf);
     TsdfVoxel& tsdf = block.voxels[voxel];
@@ -185,12 +221,14 @@ class FrameUpdate {
   }
 
   /// The ground band: a voxel farther behind the surface than the truncation distance.
-  /// @param distance  behind the farthest ground that the measurement speaks of
-  bool updateBehindGround(float distance, const RangeSample& sample, TsdfVoxel& voxel) const {
-    if (!(distance >= -behind_) || view_.ground == nullptr) return false;
+  /// @param behind  along the ray, the farthest ground that the measurement speaks of [m]
+  /// @param sdf     what is known of the distance to the ground [m]
+  bool updateBehindGround(float behind, float sdf, const RangeSample& sample,
+                          TsdfVoxel& voxel) const {
+    if (!(behind >= -behind_) || view_.ground == nullptr) return false;
     if (chooseId(*view_.ground, sample) == 0) return false;
     if (view_.mask != nullptr && chooseId(*view_.mask, sample) != 0) return false;
-    fuse(-truncation_, ground_weight_, voxel);
+    fuse(std::max(sdf, -truncation_), ground_weight_, voxel);
     return true;
   }
 
@@ -247,7 +285,10 @@ class FrameUpdate {
   const float max_weight_;
   const float ground_weight_;
   const bool between_rows_;
-  const float behind_;  ///< how far behind the surface anything may be written [m]
+  const float row_angle_;  ///< of a lidar [rad]
+  const float behind_;     ///< how far behind the surface anything may be written [m]
+  /// Above it distances are those to the plane between rows, truncated or not.
+  GroundTable ground_;
   float dropoff_start_ = -std::numeric_limits<float>::infinity();
   float dropoff_slope_ = 0;
 };

@@ -35,8 +35,10 @@ class TsdfIntegrator {
     /// Rows of a lidar meet the ground metres apart: seen from 0.5 m, rows of 0.4 degrees are 6 m
     /// apart at 20 m. So a voxel between two rows that both measured ground is compared with the
     /// plane through both instead of the nearer row, whose range is wrong by up to half of that,
-    /// and the reach of the band counts from the farther row. Not in the paper. false: the nearer
-    /// row decides, as everywhere else.
+    /// and the reach of the band counts from the farther row. Its distance is that to the plane: at
+    /// a grazing angle the distance along the ray is truncated a centimetre above and below the
+    /// ground, and the mesh knows its height no better than to half a voxel. Not in the paper.
+    /// false: the nearer row decides, along the ray, as everywhere else.
     bool between_rows = true;
   };
   struct Config {

@@ -116,6 +116,36 @@ TEST(MapMesh, ABlockThatIsSeenAgainAddsVerticesOfItsOwn) {
   EXPECT_THAT(map.mesh().vertices, SizeIs(6));
 }
 
+TEST(MapMesh, OfABlockThatIsSeenAgainTheBetterMeasuredVersionStaysIfAsked) {
+  MapMesh map(0.01, MapMesh::Revisited::kBest);
+  const BlockIndex block(0, 0, 0);
+  const auto visit = [&](std::initializer_list<Eigen::Vector3d> triangle, double confidence) {
+    map.update(block, soup(triangle));
+    map.archive(block, confidence);
+    return map.mesh().vertices;
+  };
+  EXPECT_THAT(visit({kA, kB, kC}, 2), ElementsAre(kA, kB, kC));
+  EXPECT_THAT(visit({kB, kD, kC}, 1), ElementsAre(kA, kB, kC));
+  EXPECT_THAT(map.activeVertices(), IsEmpty());
+  EXPECT_THAT(visit({kB, kD, kC}, 3), ElementsAre(kB, kD, kC));
+  map.update({1, 0, 0}, soup({kA, kB, kC}));  // another block is no version of this one
+  map.archive({1, 0, 0}, 1);
+  EXPECT_THAT(map.mesh().faces, SizeIs(2));
+}
+
+TEST(MapMesh, WhatABlockIsArchivedInPiecesOfOneVisitStaysTogether) {
+  MapMesh map(0.01, MapMesh::Revisited::kBest);
+  const BlockIndex block(0, 0, 0);
+  map.update(block, soup({kA, kB, kC}));
+  map.archive(block, 2, false);
+  map.update(block, soup({kB, kD, kC}));
+  map.archive(block, 1);
+  EXPECT_THAT(map.mesh().faces, SizeIs(2));
+  map.update(block, soup({kA, kB, kD}));
+  map.archive(block, 3);
+  EXPECT_THAT(map.mesh().faces, SizeIs(1));
+}
+
 TEST(MapMesh, DropsTrianglesThatLoseTheirArea) {
   MapMesh map(0.01);
   map.update({0, 0, 0}, soup({kA, kB, {1.001, 0, 0}, kA, kB, kC}));
