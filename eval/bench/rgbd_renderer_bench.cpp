@@ -42,6 +42,29 @@ void renderOfTheOffice(benchmark::State& state) {
 }
 BENCHMARK(renderOfTheOffice)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(5);
 
+/// Camera and LiDAR of the short campus with so many movers, five people to three cars: items are
+/// frames with their sweep of 64 lasers, without noise.
+void campusWithMovers(benchmark::State& state) {
+  SimulatedConfig config = SimulatedConfig::forWorld("campus_quick", "clean");
+  config.lidar = LidarSensorConfig::forPattern("hdl64", "clean");
+  config.lidar.enabled = true;
+  const int movers = static_cast<int>(state.range(0));
+  config.campus.movers = {3 * movers / 8, movers - 3 * movers / 8};
+  const SimulatedDataset dataset(config);
+  std::int64_t count = 0;
+  for (auto _ : state) {
+    const auto index = static_cast<std::size_t>(count++) * 97 % dataset.numFrames();
+    benchmark::DoNotOptimize(dataset.frame(index));
+  }
+  state.SetItemsProcessed(count);
+}
+BENCHMARK(campusWithMovers)
+    ->Arg(0)
+    ->Arg(16)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MinTime(5);
+
 void makeOfficeWorld(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(makeOffice(OfficeConfig{}, 1));
 }

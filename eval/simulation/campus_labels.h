@@ -21,6 +21,7 @@ inline constexpr Label kSign = 10;
 inline constexpr Label kFireHydrant = 11;
 inline constexpr Label kCar = 12;
 inline constexpr Label kBench = 13;
+inline constexpr Label kHuman = 14;  ///< in the label space where there are pedestrians only
 }  // namespace campus_label
 
 /// Hydrants, cars and benches are scored; road, sidewalk, grass and stairs are ground.

@@ -49,12 +49,7 @@ class Placer {
 
   /// A new instance of one of the families of a class.
   Piece draw(const std::string& class_name, Label label, Random& random) {
-    std::vector<const ShapeFamily*> families;
-    for (const ShapeFamily& family : outdoorFamilies()) {
-      if (family.class_name == class_name) families.push_back(&family);
-    }
-    const ShapeFamily& family =
-        *families[random.index(static_cast<std::uint32_t>(families.size()))];
+    const ShapeFamily& family = drawOutdoorFamily(class_name, random);
     Piece piece;
     piece.shape = std::make_shared<const ShapeInstance>(
         family.draw(Random(instanceSeed(split_, instanceIndex(seed_, drawn_++)))));
@@ -72,22 +67,6 @@ class Placer {
 
   Transform uprightPose(const Vector2d& place, double yaw) const {
     return leaningPose({place.x(), place.y(), terrain_.heightAt(place)}, yaw, Vector2d::Zero());
-  }
-
-  /// On four wheels: height and slope from the ground below them.
-  Transform wheeledPose(const Vector2d& place, double yaw, const Aabb& box) const {
-    const Vector2d ahead(std::cos(yaw), std::sin(yaw));
-    const Vector2d left(-ahead.y(), ahead.x());
-    const double a = 0.29 * box.sizes().x();
-    const double b = 0.36 * box.sizes().y();
-    const auto height = [&](double x, double y) {
-      return terrain_.heightAt(place + x * ahead + y * left);
-    };
-    const double front = 0.5 * (height(a, b) + height(a, -b));
-    const double rear = 0.5 * (height(-a, b) + height(-a, -b));
-    const double across = (height(a, b) + height(-a, b) - height(a, -b) - height(-a, -b)) / (4 * b);
-    const Vector2d slope = (front - rear) / (2 * a) * ahead + across * left;
-    return leaningPose({place.x(), place.y(), 0.5 * (front + rear)}, yaw, slope);
   }
 
   /// Takes the place if nothing is in the way.
@@ -160,7 +139,7 @@ void placeCars(Placer& placer, int count, double side, Random random) {
                                       side * (CampusTerrain::kRoadHalfWidth_m - from_kerb));
     const bool backwards = random.chance(0.25);
     const double yaw = yawOf(station.ahead) + (backwards ? kPi : 0) + 0.012 * random.normal();
-    if (placer.put(car, placer.wheeledPose(station.point, yaw, car.box))) --count;
+    if (placer.put(car, wheeledPose(placer.terrain(), station.point, yaw, car.box))) --count;
   }
 }
 
@@ -259,6 +238,30 @@ void placeTrees(Placer& placer, int count, double side, Random random) {
 }
 
 }  // namespace
+
+const ShapeFamily& drawOutdoorFamily(const std::string& class_name, Random& random) {
+  std::vector<const ShapeFamily*> families;
+  for (const ShapeFamily& family : outdoorFamilies()) {
+    if (family.class_name == class_name) families.push_back(&family);
+  }
+  return *families[random.index(static_cast<std::uint32_t>(families.size()))];
+}
+
+Transform wheeledPose(const CampusTerrain& terrain, const Vector2d& place, double yaw_rad,
+                      const Aabb& box) {
+  const Vector2d ahead(std::cos(yaw_rad), std::sin(yaw_rad));
+  const Vector2d left(-ahead.y(), ahead.x());
+  const double a = 0.29 * box.sizes().x();
+  const double b = 0.36 * box.sizes().y();
+  const auto height = [&](double x, double y) {
+    return terrain.heightAt(place + x * ahead + y * left);
+  };
+  const double front = 0.5 * (height(a, b) + height(a, -b));
+  const double rear = 0.5 * (height(-a, b) + height(-a, -b));
+  const double across = (height(a, b) + height(-a, b) - height(a, -b) - height(-a, -b)) / (4 * b);
+  const Vector2d slope = (front - rear) / (2 * a) * ahead + across * left;
+  return leaningPose({place.x(), place.y(), 0.5 * (front + rear)}, yaw_rad, slope);
+}
 
 std::vector<PlacedShape> placeCampusObjects(const CampusConfig& config,
                                             const CampusTerrain& terrain, const CampusWay& way,

@@ -17,4 +17,12 @@ std::vector<PlacedShape> placeCampusObjects(const CampusConfig& config,
                                             const CampusTerrain& terrain, const CampusWay& way,
                                             std::uint64_t seed);
 
+/// One of the outdoor families of a class, each as likely.
+const ShapeFamily& drawOutdoorFamily(const std::string& class_name, Random& random);
+
+/// Pose of a car on four wheels: height and slope from the ground below them.
+/// @param box  around the car, object frame
+Transform wheeledPose(const CampusTerrain& terrain, const Eigen::Vector2d& place, double yaw_rad,
+                      const Aabb& box);
+
 }  // namespace hydrabench

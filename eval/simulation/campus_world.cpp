@@ -9,6 +9,7 @@
 #include "eval/simulation/campus_ground.h"
 #include "eval/simulation/campus_labels.h"
 #include "eval/simulation/campus_objects.h"
+#include "eval/simulation/campus_traffic.h"
 
 namespace hydrabench {
 namespace {
@@ -44,6 +45,9 @@ void read(ConfigReader& reader, CampusConfig& config) {
   reader.field("hydrants", config.hydrants, {0, 1000});
   reader.field("cars", config.cars, {0, 1000});
   reader.field("benches", config.benches, {0, 1000});
+  ConfigReader movers = reader.section("movers");
+  movers.field("cars", config.movers.cars, {0, kMaxMovingCars});
+  movers.field("pedestrians", config.movers.pedestrians, {0, kMaxPedestrians});
 }
 
 CampusWay campusWay(const CampusConfig& config, const CampusTerrain& terrain) {

@@ -20,6 +20,13 @@ struct CampusConfig {
   int hydrants = 18;
   int cars = 26;
   int benches = 24;
+  /// Cars that drive and people who walk, in addition to what stands (campus_traffic.h).
+  struct Movers {
+    int cars = 0;
+    int pedestrians = 0;
+    bool any() const { return cars + pedestrians > 0; }
+  };
+  Movers movers;
   /// As OfficeConfig::split.
   InstanceSplit split = InstanceSplit::kEvaluation;
 
@@ -48,8 +55,8 @@ CampusLayout layOutCampus(const CampusConfig& config, std::uint64_t seed);
 /// Ground of the campus of a seed.
 CampusTerrain campusTerrain(std::uint64_t seed);
 
-/// Ground, houses, objects, sun. Where the street does not hold as many objects of a class as asked
-/// for, there are fewer.
+/// Ground, houses, objects, sun; no movers yet. Where the street does not hold as many objects of a
+/// class as asked for, there are fewer.
 Scene makeCampus(const CampusConfig& config, std::uint64_t seed);
 
 }  // namespace hydrabench

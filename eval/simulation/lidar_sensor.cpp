@@ -8,10 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/geometry/raycaster.h"
 #include "core/parallel/parallel_for.h"
 #include "core/types/random.h"
-#include "eval/simulation/drawn_mesh.h"
 #include "eval/simulation/lidar_pattern.h"
 
 namespace hydrabench {
@@ -58,9 +56,11 @@ class Sweep {
   float timeOf(int column) const {
     return static_cast<float>(column) / static_cast<float>(pattern_.columns);
   }
+  std::int64_t stampOf(int column) const {
+    return start_ns_ + std::llround(double{timeOf(column)} * duration_ns_);
+  }
   Transform poseOf(int column) const {
-    const std::optional<Transform> T_world_body =
-        poseAt(body_poses_, start_ns_ + std::llround(double{timeOf(column)} * duration_ns_));
+    const std::optional<Transform> T_world_body = poseAt(body_poses_, stampOf(column));
     assert(T_world_body);
     return *T_world_body * T_body_lidar_;
   }
@@ -69,6 +69,9 @@ class Sweep {
     return model_.direction(
         column, (model_.top_rad - pattern_.elevations_rad[ring]) * model_.rowsPerRadian());
   }
+  /// Each column of a block meets the movers where they are at its time.
+  void meetMovers(int begin, int count, const std::vector<Raycaster::Ray>& rays,
+                  std::vector<Raycaster::Hit>& hits) const;
   void judge(int column, std::size_t ring, const Raycaster::Ray& ray, const Raycaster::Hit& hit,
              Returns& returns) const;
 
@@ -100,6 +103,7 @@ Returns Sweep::cast(std::size_t block) const {
     }
   }
   renderer_.raycaster().intersect(rays, hits);
+  if (renderer_.hasMovers()) meetMovers(begin, count, rays, hits);
   Returns returns;
   for (int i = 0; i < count; ++i) {
     for (std::size_t ring = 0; ring < num_rings; ++ring) {
@@ -110,11 +114,27 @@ Returns Sweep::cast(std::size_t block) const {
   return returns;
 }
 
+void Sweep::meetMovers(int begin, int count, const std::vector<Raycaster::Ray>& rays,
+                       std::vector<Raycaster::Hit>& hits) const {
+  const std::size_t num_rings = pattern_.elevations_rad.size();
+  std::vector<Raycaster::Ray> column_rays(num_rings);
+  std::vector<Raycaster::Hit> column_hits(num_rings);
+  for (int i = 0; i < count; ++i) {
+    const auto at = [&](std::size_t ring) {
+      return ring * static_cast<std::size_t>(count) + static_cast<std::size_t>(i);
+    };
+    for (std::size_t ring = 0; ring < num_rings; ++ring) {
+      column_rays[ring] = rays[at(ring)];
+      column_hits[ring] = hits[at(ring)];
+    }
+    renderer_.intersectMovers(stampOf(begin + i), column_rays, column_hits);
+    for (std::size_t ring = 0; ring < num_rings; ++ring) hits[at(ring)] = column_hits[ring];
+  }
+}
+
 void Sweep::judge(int column, std::size_t ring, const Raycaster::Ray& ray,
                   const Raycaster::Hit& hit, Returns& returns) const {
-  const DrawnMesh& mesh = renderer_.mesh(hit.mesh);
-  const Vector3f point = ray.origin + hit.distance * ray.direction;
-  const DrawnMesh::SurfaceSample surface = mesh.sample(hit, point, ray.direction);
+  const DrawnMesh::SurfaceSample surface = renderer_.sample(stampOf(column), ray, hit);
   // Seen with an interpolated normal, the rim of a round thing may face away a little.
   const float cosine = std::max(0.0f, -surface.normal.dot(ray.direction));
   const float returned = std::max(kLeastReflectance, surface.reflectance.mean()) * cosine;
@@ -139,7 +159,7 @@ void Sweep::judge(int column, std::size_t ring, const Raycaster::Ray& ray,
   returns.intensity.push_back(std::min(returned, 1.0f));
   returns.rings.push_back(static_cast<std::uint16_t>(ring));
   if (duration_ns_ > 0) returns.times.push_back(timeOf(column));
-  if (config_.labels) returns.labels.push_back(mesh.label());
+  if (config_.labels) returns.labels.push_back(renderer_.labelOf(hit));
 }
 
 template <typename Value>

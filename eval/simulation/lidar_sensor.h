@@ -44,10 +44,10 @@ struct LidarSensorConfig {
 /// Keys that are absent have the values of the pattern and the preset.
 void read(ConfigReader& reader, const std::string& preset, LidarSensorConfig& config);
 
-/// One turn through a scene, every column cast from where the sensor was at its time: a pure
-/// function of (scene, poses, times, config, seed). Points come in the order they were measured;
-/// beams without a return are left out. Intensity is reflectance x cos(incidence). The reported
-/// poses are left to the caller.
+/// One turn through a scene, every column cast from where the sensor was at its time, onto movers
+/// where they were then: a pure function of (scene, poses, times, config, seed). Points come in the
+/// order they were measured; beams without a return are left out. Intensity is reflectance x
+/// cos(incidence). The reported poses are left to the caller.
 ///
 /// @param body_poses  where the robot truly was; they must reach from start_ns to stamp_ns
 /// @param start_ns    of the turn; stamp_ns where the sensor measures all at once

@@ -10,7 +10,6 @@
 #include "eval/simulation/surface_mesher.h"
 
 namespace hydrabench {
-namespace {
 
 std::shared_ptr<const Surface> surfaceOf(const ShapeInstance& shape) {
   SurfaceMesh meshed = meshInstance(shape);
@@ -20,8 +19,6 @@ std::shared_ptr<const Surface> surfaceOf(const ShapeInstance& shape) {
   for (const ShapePart& part : shape.parts) surface->materials.push_back(part.material);
   return surface;
 }
-
-}  // namespace
 
 void appendShapes(const std::vector<PlacedShape>& placed, Scene& scene) {
   // Desks of one island share their shape, and so their mesh.

@@ -18,6 +18,9 @@ struct PlacedShape {
   Transform T_world_object = Transform::Identity();
 };
 
+/// Mesh and materials of an instance, object frame.
+std::shared_ptr<const Surface> surfaceOf(const ShapeInstance& shape);
+
 /// Meshes all instances (each shape once) and appends them to the scene in their order, with names
 /// counted per class ("chair_007"). Objects are scored where the scene's label space says so.
 void appendShapes(const std::vector<PlacedShape>& placed, Scene& scene);

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <span>
 
-#include "core/geometry/raycaster.h"
 #include "core/parallel/parallel_for.h"
-#include "eval/simulation/drawn_mesh.h"
 #include "eval/simulation/lighting.h"
+#include "eval/simulation/mover_caster.h"
 
 namespace hydrabench {
 namespace {
@@ -42,7 +41,7 @@ struct Tile {
 
 struct RgbdRenderer::Impl {
   Impl(std::shared_ptr<const Scene> world, const Config& settings)
-      : scene(std::move(world)), config(settings), lighting(*scene) {
+      : scene(std::move(world)), config(settings), lighting(*scene), movers(scene->movers) {
     for (const SceneObject& object : scene->objects) {
       raycaster.add(transformed(object.T_world_object, object.surface->mesh));
       meshes.emplace_back(*object.surface, object.T_world_object, object.label, false);
@@ -57,14 +56,39 @@ struct RgbdRenderer::Impl {
 
   void aim(const Camera& camera, const Transform& T_world_camera, int tile_u, int tile_v,
            Tile& tile) const;
-  void shade(Tile& tile) const;
-  void store(const Tile& tile, RenderedView& view) const;
+  void trace(std::int64_t stamp_ns, Tile& tile) const;
+  void shade(std::int64_t stamp_ns, Tile& tile) const;
+  void store(std::int64_t stamp_ns, const Tile& tile, RenderedView& view) const;
+
+  bool isMover(const Raycaster::Hit& hit) const { return hit.mesh >= meshes.size(); }
+  std::size_t moverPart(const Raycaster::Hit& hit) const { return hit.mesh - meshes.size(); }
+  DrawnMesh::SurfaceSample sample(std::int64_t stamp_ns, const Raycaster::Ray& ray,
+                                  const Raycaster::Hit& hit) const {
+    const Vector3f point = ray.origin + hit.distance * ray.direction;
+    return isMover(hit) ? movers.sample(stamp_ns, moverPart(hit), hit, point, ray.direction)
+                        : meshes[hit.mesh].sample(hit, point, ray.direction);
+  }
+  Vector3f faceNormal(std::int64_t stamp_ns, const Raycaster::Hit& hit) const {
+    return isMover(hit) ? movers.faceNormal(stamp_ns, moverPart(hit), hit.face)
+                        : meshes[hit.mesh].faceNormal(hit.face);
+  }
+  Label labelOf(const Raycaster::Hit& hit) const {
+    return isMover(hit) ? movers.labelOf(moverPart(hit)) : meshes[hit.mesh].label();
+  }
+  /// As RenderedView::objects has it.
+  std::int32_t objectOf(const Raycaster::Hit& hit) const {
+    const std::size_t num_objects = scene->objects.size();
+    if (isMover(hit))
+      return static_cast<std::int32_t>(num_objects + movers.moverOf(moverPart(hit)));
+    return hit.mesh < num_objects ? static_cast<std::int32_t>(hit.mesh) : -1;
+  }
 
   std::shared_ptr<const Scene> scene;
   Config config;
   Lighting lighting;
   Raycaster raycaster;
   std::vector<DrawnMesh> meshes;
+  MoverCaster movers;
 };
 
 void RgbdRenderer::Impl::aim(const Camera& camera, const Transform& T_world_camera, int tile_u,
@@ -87,17 +111,24 @@ void RgbdRenderer::Impl::aim(const Camera& camera, const Transform& T_world_came
   }
 }
 
-void RgbdRenderer::Impl::shade(Tile& tile) const {
+void RgbdRenderer::Impl::trace(std::int64_t stamp_ns, Tile& tile) const {
+  const std::span<const Raycaster::Ray> rays(tile.rays.data(), tile.count);
+  const std::span<Raycaster::Hit> hits(tile.hits.data(), tile.count);
+  raycaster.intersect(rays, hits);
+  if (movers.empty()) return;
+  movers.intersect(stamp_ns, rays, static_cast<std::uint32_t>(meshes.size()), hits);
+}
+
+void RgbdRenderer::Impl::shade(std::int64_t stamp_ns, Tile& tile) const {
   tile.num_shadows = 0;
   for (std::size_t i = 0; i < tile.count; ++i) {
     const Raycaster::Hit& hit = tile.hits[i];
     if (!hit) continue;
     const Raycaster::Ray& ray = tile.rays[i];
-    const DrawnMesh& mesh = meshes[hit.mesh];
     const Vector3f point = ray.origin + hit.distance * ray.direction;
-    const DrawnMesh::SurfaceSample surface = mesh.sample(hit, point, ray.direction);
+    const DrawnMesh::SurfaceSample surface = sample(stamp_ns, ray, hit);
     tile.key[i].setZero();
-    if (mesh.emissive()) {
+    if (!isMover(hit) && meshes[hit.mesh].emissive()) {
       tile.lit[i] = surface.reflectance;
       continue;
     }
@@ -122,14 +153,16 @@ void RgbdRenderer::Impl::shade(Tile& tile) const {
     tile.shadow_rays[tile.num_shadows] = {point + side * surface.face_normal, to_lamp, 0, 0.98f};
     ++tile.num_shadows;
   }
-  raycaster.occluded(std::span(tile.shadow_rays.data(), tile.num_shadows),
-                     std::span(tile.blocked.data(), tile.num_shadows));
+  const std::span<const Raycaster::Ray> shadow_rays(tile.shadow_rays.data(), tile.num_shadows);
+  const std::span<std::uint8_t> blocked(tile.blocked.data(), tile.num_shadows);
+  raycaster.occluded(shadow_rays, blocked);
+  if (!movers.empty()) movers.occluded(stamp_ns, shadow_rays, blocked);
   for (std::size_t k = 0; k < tile.num_shadows; ++k) {
     if (tile.blocked[k]) tile.key[tile.shadow_pixel[k]].setZero();
   }
 }
 
-void RgbdRenderer::Impl::store(const Tile& tile, RenderedView& view) const {
+void RgbdRenderer::Impl::store(std::int64_t stamp_ns, const Tile& tile, RenderedView& view) const {
   for (std::size_t i = 0; i < tile.count; ++i) {
     const int u = tile.pixels[i].x();
     const int v = tile.pixels[i].y();
@@ -138,12 +171,11 @@ void RgbdRenderer::Impl::store(const Tile& tile, RenderedView& view) const {
       if (config.with_color) view.color(u, v) = kSky;
       continue;
     }
-    const DrawnMesh& mesh = meshes[hit.mesh];
     view.depth(u, v) = hit.distance;
-    view.labels(u, v) = mesh.label();
-    if (hit.mesh < scene->objects.size()) view.objects(u, v) = static_cast<std::int32_t>(hit.mesh);
+    view.labels(u, v) = labelOf(hit);
+    view.objects(u, v) = objectOf(hit);
     const Vector3f& direction = tile.rays[i].direction;
-    const float cosine = std::abs(mesh.faceNormal(hit.face).dot(direction)) / direction.norm();
+    const float cosine = std::abs(faceNormal(stamp_ns, hit).dot(direction)) / direction.norm();
     view.incidence(u, v) = static_cast<std::uint8_t>(255 * std::min(1.0f, cosine) + 0.5f);
     if (config.with_color) view.color(u, v) = srgbFromLinear(tile.lit[i] + tile.key[i]);
   }
@@ -155,7 +187,8 @@ RgbdRenderer::~RgbdRenderer() = default;
 RgbdRenderer::RgbdRenderer(RgbdRenderer&&) noexcept = default;
 RgbdRenderer& RgbdRenderer::operator=(RgbdRenderer&&) noexcept = default;
 
-RenderedView RgbdRenderer::render(const Camera& camera, const Transform& T_world_camera) const {
+RenderedView RgbdRenderer::render(const Camera& camera, const Transform& T_world_camera,
+                                  std::int64_t stamp_ns) const {
   RenderedView view;
   if (impl_->config.with_color) view.color = Image<Rgb>(camera.width, camera.height);
   view.depth = Image<float>(camera.width, camera.height);
@@ -171,11 +204,9 @@ RenderedView RgbdRenderer::render(const Camera& camera, const Transform& T_world
                         const int index = static_cast<int>(i);
                         impl_->aim(camera, T_world_camera, kTile * (index % columns),
                                    kTile * (index / columns), *tile);
-                        impl_->raycaster.intersect(
-                            std::span<const Raycaster::Ray>(tile->rays.data(), tile->count),
-                            std::span(tile->hits.data(), tile->count));
-                        if (impl_->config.with_color) impl_->shade(*tile);
-                        impl_->store(*tile, view);
+                        impl_->trace(stamp_ns, *tile);
+                        if (impl_->config.with_color) impl_->shade(stamp_ns, *tile);
+                        impl_->store(stamp_ns, *tile, view);
                       }
                     });
   return view;
@@ -183,6 +214,19 @@ RenderedView RgbdRenderer::render(const Camera& camera, const Transform& T_world
 
 const Raycaster& RgbdRenderer::raycaster() const { return impl_->raycaster; }
 
-const DrawnMesh& RgbdRenderer::mesh(std::size_t index) const { return impl_->meshes[index]; }
+bool RgbdRenderer::hasMovers() const { return !impl_->movers.empty(); }
+
+void RgbdRenderer::intersectMovers(std::int64_t stamp_ns, std::span<const Raycaster::Ray> rays,
+                                   std::span<Raycaster::Hit> hits) const {
+  const auto first_mesh = static_cast<std::uint32_t>(impl_->meshes.size());
+  impl_->movers.intersect(stamp_ns, rays, first_mesh, hits);
+}
+
+DrawnMesh::SurfaceSample RgbdRenderer::sample(std::int64_t stamp_ns, const Raycaster::Ray& ray,
+                                              const Raycaster::Hit& hit) const {
+  return impl_->sample(stamp_ns, ray, hit);
+}
+
+Label RgbdRenderer::labelOf(const Raycaster::Hit& hit) const { return impl_->labelOf(hit); }
 
 }  // namespace hydrabench

@@ -77,12 +77,14 @@ void read(ConfigReader& reader, RgbdSensorConfig& config) {
 }
 
 Frame observe(const Scene& scene, const RgbdRenderer& renderer, const Transform& T_world_camera,
-              const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index) {
+              const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index,
+              std::int64_t stamp_ns) {
   const Random frame_random(seed, index);
   const auto streamSeed = [&](std::uint64_t stream) { return frame_random.fork(stream).bits(); };
-  RenderedView view = renderer.render(config.camera, T_world_camera);
+  RenderedView view = renderer.render(config.camera, T_world_camera, stamp_ns);
 
   Frame frame;
+  frame.stamp_ns = stamp_ns;
   frame.camera = config.camera;
   frame.T_world_camera = T_world_camera;
   frame.depth = noisyDepth(view, config.camera, config.depth_noise, streamSeed(kDepthStream));
@@ -96,8 +98,9 @@ Frame observe(const Scene& scene, const RgbdRenderer& renderer, const Transform&
   addColorNoise(config.color_noise_levels, streamSeed(kColorStream), frame.color);
 
   std::vector<Label> object_labels;
-  object_labels.reserve(scene.objects.size());
+  object_labels.reserve(scene.objects.size() + scene.movers.size());
   for (const SceneObject& object : scene.objects) object_labels.push_back(object.label);
+  for (const Mover& mover : scene.movers) object_labels.push_back(mover.label);
   Segmentation segmentation =
       corruptMasks(view.objects, view.labels, object_labels, config.masks, streamSeed(kMaskStream));
   frame.labels = std::move(segmentation.labels);

@@ -31,9 +31,10 @@ void useOutdoorCamera(RgbdSensorConfig& config);
 /// Sections camera, depth_noise and masks.
 void read(ConfigReader& reader, RgbdSensorConfig& config);
 
-/// Frame `index` as the sensor gives it: a pure function of (scene, pose, config, seed, index).
-/// Stamp and reported pose are left to the caller.
+/// Frame `index` as the sensor gives it at a time, which tells where the movers are: a pure
+/// function of (scene, pose, config, seed, index, time). The reported pose is left to the caller.
 Frame observe(const Scene& scene, const RgbdRenderer& renderer, const Transform& T_world_camera,
-              const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index);
+              const RgbdSensorConfig& config, std::uint64_t seed, std::size_t index,
+              std::int64_t stamp_ns = 0);
 
 }  // namespace hydrabench

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry/mesh.h"
+#include "core/geometry/pose_interpolation.h"
 #include "core/types/label_space.h"
 #include "eval/datasets/dataset.h"
 #include "eval/simulation/shape_family.h"
@@ -58,21 +59,34 @@ struct Sun {
   double sky = 0.4;        ///< on a surface that faces up, without the sun
 };
 
-/// A static world: what the sensors look at. Made by a generator (office, campus) or from mesh
-/// files.
+/// A thing that moves through the world: rigid parts, each on a path of its own. It carries an
+/// instance id in every frame, as objects do, but belongs to no ground truth.
+struct Mover {
+  struct Part {
+    std::shared_ptr<const Surface> surface;  ///< frame of the part
+    std::vector<TimedPose> poses;            ///< T_world_part; not there before or after them
+  };
+  std::string name;  ///< "car_moving_001"
+  Label label = kUnknownLabel;
+  std::vector<Part> parts;
+};
+
+/// A world: what the sensors look at. Made by a generator (office, campus) or from mesh files. All
+/// of it stands still but the movers.
 struct Scene {
   LabelSpace label_space;
   std::vector<SceneObject> objects;
   std::vector<StructurePart> structure;
+  std::vector<Mover> movers;
   std::vector<Lamp> lamps;
   std::optional<Sun> sun;  ///< lights in place of the lamps; none indoors
   std::vector<Room> rooms;
 };
 
 Aabb worldBounds(const SceneObject& object);
-Aabb bounds(const Scene& scene);
+Aabb bounds(const Scene& scene);  ///< of what stands still
 
-/// Everything in one mesh, world frame, vertices coloured by material.
+/// Everything that stands still in one mesh, world frame, vertices coloured by material.
 /// @param labels  receives the class of every face; may be null
 Mesh mergedMesh(const Scene& scene, bool with_overhead = true,
                 std::vector<Label>* labels = nullptr);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "eval/simulation/campus_drive.h"
+#include "eval/simulation/campus_traffic.h"
 #include "eval/simulation/visibility.h"
 
 namespace hydrabench {
@@ -20,9 +22,13 @@ constexpr std::size_t kVisibilityFrames = 500;  // of the trajectory are looked 
 constexpr std::size_t kVisibilityPoints = 400;  // per object: a fraction is known to about 2.5 %
 
 std::shared_ptr<const Scene> makeWorld(const SimulatedConfig& config) {
-  return std::make_shared<const Scene>(config.isOutdoors()
-                                           ? makeCampus(config.campus, config.seed)
-                                           : makeOffice(config.office, config.seed));
+  if (!config.isOutdoors()) {
+    return std::make_shared<const Scene>(makeOffice(config.office, config.seed));
+  }
+  auto scene = std::make_shared<Scene>(makeCampus(config.campus, config.seed));
+  const auto end_ns = static_cast<std::int64_t>(std::ceil(1e9 * config.trajectory.duration_s));
+  if (config.campus.movers.any()) addCampusTraffic(config.campus, config.seed, end_ns, *scene);
+  return scene;
 }
 
 std::vector<StampedPose> driveThrough(const SimulatedConfig& config, const Scene& scene,
@@ -97,7 +103,8 @@ void read(ConfigReader& reader, SimulatedConfig& config) {
 }
 
 std::string SimulatedConfig::name() const {
-  const std::string place = world == "quick" ? "office_quick" : world;
+  std::string place = world == "quick" ? "office_quick" : world;
+  if (isOutdoors() && campus.movers.any()) place += "_moving";
   return preset == "default" ? place : place + "_" + preset;
 }
 
@@ -135,9 +142,9 @@ void SimulatedDataset::mountLidar(const LidarSensorConfig& config, const Transfo
 
 Frame SimulatedDataset::frame(std::size_t index) const {
   assert(index < trajectory_.size());
-  Frame frame = observe(*scene_, renderer_, trajectory_[index].T_world_camera, sensor_,
-                        hashSeed(seed_, kSensorStream), index);
-  frame.stamp_ns = trajectory_[index].stamp_ns;
+  const StampedPose& pose = trajectory_[index];
+  Frame frame = observe(*scene_, renderer_, pose.T_world_camera, sensor_,
+                        hashSeed(seed_, kSensorStream), index, pose.stamp_ns);
   frame.T_world_camera = reported_poses_[index];
   if (lidar_) frame.scans = lidar_->scansOf(renderer_, index);
   return frame;
