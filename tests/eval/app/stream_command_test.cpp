@@ -113,5 +113,30 @@ TEST_F(StreamCommand, NeedsAResultWithShapes) {
   expectFault("stream empty --out x", "empty: no candidates.jsonl in there");
 }
 
+TEST_F(StreamCommand, LatenciesOfAStudyAreTabledDrawnAndReplayed) {
+  mapTrueShapes();
+  writeText(folder_ / "study.yaml",
+            fmt::format("datasets:\n  - {{config: {}/datasets/office_quick.yaml, set: {}}}\n"
+                        "estimators:\n  - {{name: truth, type: oracle}}\n"
+                        "  - {{name: absent, type: sidecar, command: [/no/such/program]}}\n"
+                        "views: {{frame_step: 50, min_pixels: 60}}\n"
+                        "evaluation: {{samples: 300, bootstrap_resamples: 0}}\n",
+                        kConfigs, kSmall));
+  const Outcome outcome = run("estimate study.yaml --out timed");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("| office_quick | absent | total | 0 | n/a | n/a | n/a | n/a "
+                                     "| n/a | not available: the sidecar did not start |"));
+  EXPECT_THAT(readText(folder_ / "timed/latency.csv"), HasSubstr("\noffice_quick,truth,oracle,"));
+  EXPECT_THAT(readText(folder_ / "timed/plots/latency.gp"), HasSubstr("$violin_0_0"));
+  EXPECT_THAT(readText(folder_ / "timed/provenance.json"), HasSubstr("cpu"));
+  const Outcome streamed =
+      run("stream result --method unchecked --latency timed/views.csv:truth --request-after 0.5 "
+          "--out streamed");
+  EXPECT_EQ(streamed.exit_code, 0) << streamed.err;
+  EXPECT_THAT(streamed.out, HasSubstr("truth, measured alone"));
+  expectFault("stream result --latency timed/views.csv:absent --out x",
+              "no estimate of 'absent', expected one of");
+}
+
 }  // namespace
 }  // namespace hydrabench
