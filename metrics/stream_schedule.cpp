@@ -11,8 +11,7 @@
 
 namespace hydrabench {
 
-std::vector<StreamCompletion> schedule(std::span<const StreamRequest> requests, int servers,
-                                       double deadline_s) {
+std::vector<StreamCompletion> schedule(std::span<const StreamRequest> requests, int servers) {
   assert(servers > 0);
   std::vector<std::size_t> order(requests.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -26,7 +25,7 @@ std::vector<StreamCompletion> schedule(std::span<const StreamRequest> requests, 
     StreamCompletion& completion = completions[i];
     completion.start_s = std::max(requests[i].arrival_s, free_at.top());
     completion.end_s = completion.start_s + requests[i].latency_s;
-    completion.late = completion.end_s > requests[i].arrival_s + deadline_s;
+    completion.late = completion.end_s > requests[i].due_s;
     free_at.pop();
     free_at.push(completion.end_s);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,19 +12,19 @@ namespace hydrabench {
 struct StreamRequest {
   double arrival_s = 0;  ///< when it is asked for, from the start of the sequence
   double latency_s = 0;  ///< how long the estimator works on it, >= 0
+  double due_s = std::numeric_limits<double>::infinity();  ///< by when it should be there
 };
 
 struct StreamCompletion {
   double start_s = 0;  ///< >= arrival
   double end_s = 0;    ///< start + latency
-  bool late = false;   ///< ended more than the deadline after its arrival
+  bool late = false;   ///< ended after it was due
 };
 
 /// First come, first served by `servers` estimators side by side; of requests that come at the same
 /// time the one listed first. Nothing is dropped: a late shape is better than none.
 /// @return  per request
-std::vector<StreamCompletion> schedule(std::span<const StreamRequest> requests, int servers,
-                                       double deadline_s);
+std::vector<StreamCompletion> schedule(std::span<const StreamRequest> requests, int servers);
 
 /// A value that changes in steps: holds from `time_s` on, up to the next.
 struct StreamStep {

@@ -23,10 +23,7 @@ std::optional<ObjectNode> objectOf(const Landmark& landmark, const TemplateCad::
   Aabb box;
   for (const Eigen::Vector3d& point : landmark.points) box.extend(point);
   const double height = box.sizes().z();
-  if (footprint->length < rules.min_length_m || footprint->length > rules.max_length_m ||
-      height < rules.min_height_m || height > rules.max_height_m) {
-    return std::nullopt;
-  }
+  if (!rules.admits(*footprint, height)) return std::nullopt;
   TemplateModel::Placed placed =
       model.place(placement, landmark.center, *footprint, landmark.points);
   ObjectNode object;
@@ -41,6 +38,11 @@ std::optional<ObjectNode> objectOf(const Landmark& landmark, const TemplateCad::
 }
 
 }  // namespace
+
+bool TemplateCad::ClassRules::admits(const Footprint& footprint, double height_m) const {
+  return footprint.length >= min_length_m && footprint.length <= max_length_m &&
+         height_m >= min_height_m && height_m <= max_height_m;
+}
 
 TemplateCad::ClassRules TemplateCad::publishedRules(const std::string& class_name) {
   if (class_name == "chair") return {class_name, {}, 0.75, 0.2, 1.5, 0.2, 1.5};
@@ -186,12 +188,16 @@ void read(ConfigReader& reader, TemplateCad::Config& config) {
   read(landmarks, config.landmarks);
   auto placement = reader.section("placement");
   read(placement, config.placement);
-  if (reader.has("templates")) config.templates.clear();
+  readTemplates(reader, config.templates);
+}
+
+void readTemplates(ConfigReader& reader, std::vector<TemplateCad::ClassRules>& templates) {
+  if (reader.has("templates")) templates.clear();
   for (ConfigReader& item : reader.list("templates")) {
     std::string class_name;
     item.require("class");
     item.field("class", class_name);
-    if (std::any_of(config.templates.begin(), config.templates.end(),
+    if (std::any_of(templates.begin(), templates.end(),
                     [&](const auto& other) { return other.class_name == class_name; })) {
       item.fault("class",
                  fmt::format("{} has a template already; expected one per class", class_name));
@@ -205,7 +211,7 @@ void read(ConfigReader& reader, TemplateCad::Config& config) {
     item.field("max_length_m", rules.max_length_m, Bounds{0, 100});
     item.field("min_height_m", rules.min_height_m, Bounds{0, 100});
     item.field("max_height_m", rules.max_height_m, Bounds{0, 100});
-    config.templates.push_back(std::move(rules));
+    templates.push_back(std::move(rules));
   }
 }
 

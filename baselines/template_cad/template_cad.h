@@ -63,6 +63,9 @@ class TemplateCad : public MappingSystem {
     double max_length_m = 3.0;
     double min_height_m = 0.1;  ///< of the points
     double max_height_m = 3.0;
+
+    /// Whether points of this footprint and height may be of the class.
+    bool admits(const Footprint& footprint, double height_m) const;
   };
   /// SlideSLAM's gates for chair, plant and bin ("trash bin"), ours for couch; without a mesh.
   static ClassRules publishedRules(const std::string& class_name);
@@ -105,5 +108,7 @@ class TemplateCad : public MappingSystem {
 };
 
 void read(ConfigReader& reader, TemplateCad::Config& config);
+/// The list `templates`: class, mesh, and of its rules what is to be other than publishedRules().
+void readTemplates(ConfigReader& reader, std::vector<TemplateCad::ClassRules>& templates);
 
 }  // namespace hydrabench

@@ -48,6 +48,8 @@ constexpr CommandEntry kCommands[] = {
     {"templates", "write the CAD templates of the method template_cad as PLY files", addTemplates},
     {"estimate", "estimate shapes from single views and score them: a shape estimator by itself",
      addEstimate, true},
+    {"stream", "replay a run with shapes that take their time: F1 over time, deadlines, queue",
+     addStream, true},
     {"train", "train the weights of a shape estimator on worlds of the generator", addTrain},
     {"defaults", "print every config key at its default", addDefaults},
     {"version", "print version, commit and build flags", addVersion},

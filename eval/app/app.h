@@ -36,6 +36,7 @@ Command addClaims(CLI::App& app);
 Command addCompare(CLI::App& app);
 Command addSelftest(CLI::App& app);
 Command addTemplates(CLI::App& app);
+Command addStream(CLI::App& app);
 Command addTrain(CLI::App& app);
 Command addDefaults(CLI::App& app);
 Command addDoctor(CLI::App& app);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/experiment/estimator_table.h"
 
+#include "baselines/template_cad/template_estimator.h"
 #include "core/shape/crisp/crisp_estimator.h"
 #include "core/shape/scale_alignment.h"
 #include "core/shape/sidecar/sidecar_estimator.h"
@@ -29,6 +30,14 @@ EstimatorStart readSidecar(ConfigReader& reader) {
   return [config](const Dataset&) { return std::make_shared<SidecarEstimator>(config); };
 }
 
+EstimatorStart readTemplate(ConfigReader& reader) {
+  TemplateEstimator::Config config;
+  read(reader, config);
+  return [config](const Dataset& dataset) {
+    return std::make_shared<TemplateEstimator>(config, dataset.labelSpace());
+  };
+}
+
 EstimatorStart readOracle(ConfigReader&) {
   return [](const Dataset& dataset) {
     return std::make_shared<ShapeOracle>(
@@ -39,6 +48,7 @@ EstimatorStart readOracle(ConfigReader&) {
 constexpr EstimatorType kTypes[] = {
     {"crisp", readCrisp},
     {"sidecar", readSidecar},
+    {"template", readTemplate},
     {"oracle", readOracle},
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/experiment/single_view_study.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "core/config/plain_name.h"
 #include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
 #include "core/types/random.h"
 #include "eval/oracles/true_instances.h"
 #include "metrics/pair_scores.h"
@@ -198,6 +200,38 @@ SingleViewRow estimated(const ViewCase& view_case, const ShapeEstimator& estimat
   return row;
 }
 
+/// Every case through one estimator.
+std::vector<SingleViewRow> askAll(const SingleViewStudy::Estimator& item, const Dataset& dataset,
+                                  const std::vector<ViewCase>& cases, const SingleViewStudy& study,
+                                  const ObjectModel::Config& config) {
+  std::vector<SingleViewRow> rows;
+  std::string why_not;
+  std::shared_ptr<const ShapeEstimator> estimator;
+  try {
+    estimator = item.start(dataset);
+  } catch (const InputError& error) {
+    why_not = error.what();
+  }
+  if (estimator && !cases.empty()) estimated(cases.front(), *estimator, study.seed, config);
+  for (const ViewCase& view_case : cases) {
+    SingleViewRow& row = rows.emplace_back(
+        estimator ? estimated(view_case, *estimator, study.seed, config) : view_case.row);
+    if (!estimator) row.failure = why_not;
+    row.estimator = item.name;
+    if (!item.trained_on.empty()) {
+      row.in_domain = std::find(item.trained_on.begin(), item.trained_on.end(), row.class_name) !=
+                      item.trained_on.end();
+    }
+  }
+  return rows;
+}
+
+void requireOneStarted(const std::vector<SingleViewRow>& rows) {
+  const auto asked = [](const SingleViewRow& row) { return !row.wall_ms.empty(); };
+  if (rows.empty() || std::any_of(rows.begin(), rows.end(), asked)) return;
+  throw InputError(rows.front().failure);
+}
+
 }  // namespace
 
 bool SingleViewRow::failed() const {
@@ -230,6 +264,7 @@ SingleViewStudy readSingleViewStudy(const std::filesystem::path& config,
     if (!estimator.name.empty() && !isPlainName(estimator.name)) {
       item.fault("name", fmt::format("'{}', {}", estimator.name, kPlainNameExpected));
     }
+    item.field("trained_on", estimator.trained_on);
     estimator.start = readEstimator(item);
     study.estimators.push_back(std::move(estimator));
   }
@@ -267,14 +302,13 @@ std::vector<SingleViewRow> runSingleViewStudy(
         cases.back().row.world_seed = world_seed;
       }
       for (const SingleViewStudy::Estimator& item : study.estimators) {
-        const std::shared_ptr<const ShapeEstimator> estimator = item.start(dataset);
-        for (const ViewCase& view_case : cases) {
-          rows.push_back(estimated(view_case, *estimator, study.seed, model_config));
-          rows.back().estimator = item.name;
+        for (SingleViewRow& row : askAll(item, dataset, cases, study, model_config)) {
+          rows.push_back(std::move(row));
         }
       }
     }
   }
+  requireOneStarted(rows);
   return rows;
 }
 

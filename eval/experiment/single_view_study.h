@@ -22,12 +22,13 @@ namespace hydrabench {
 ///     name: held_out_views
 ///     datasets: [{config: ../datasets/office.yaml, seeds: [1, 2]}]
 ///     estimators:
-///       - {name: crisp_small, type: crisp, model: ../models/crisp_indoor}
+///       - {name: crisp_small, type: crisp, model: ../models/crisp_indoor, trained_on: [chair]}
 ///     views: {choose: largest_box, masks: true}
 struct SingleViewStudy {
   struct Estimator {
     std::string name;
     EstimatorStart start;
+    std::vector<std::string> trained_on = {};  ///< classes; empty: not told
   };
   struct Views {
     /// largest_box: of each object the view with the largest box around its points, as the pipeline
@@ -58,6 +59,7 @@ struct SingleViewRow {
   std::string estimator;
   std::string object;
   std::string class_name;
+  std::optional<bool> in_domain;  ///< of a class that the estimator was trained on; where told
   std::string subtype;
   std::int64_t stamp_ns = 0;
   int pixels = 0;
@@ -70,11 +72,15 @@ struct SingleViewRow {
   std::optional<double> v_iou;
   std::optional<double> b_iou;
   std::optional<double> inlier_ratio;
-  std::map<std::string, double> wall_ms;  ///< per stage, and "total"
+  std::map<std::string, double> wall_ms;  ///< per stage, and "total"; empty: never asked
 
   /// No estimate, or one that is plainly wrong: chamfer_l1 above 15 cm or v_iou below 0.1.
   bool failed() const;
 };
+
+inline constexpr const char* kAllClasses = "all";
+inline constexpr const char* kInDomain = "in_domain";         ///< classes trained on, together
+inline constexpr const char* kOutOfDomain = "out_of_domain";  ///< the others
 
 /// Medians over objects (failures without an estimate count as infinitely bad), with 95 % bootstrap
 /// intervals.
@@ -83,17 +89,22 @@ struct SingleViewSummary {
     double value = 0;
     Interval interval;
   };
+  std::string dataset;
   std::string estimator;
-  std::string class_name;  ///< "all" for all
+  std::string class_name;  ///< or one of the three above
   std::size_t objects = 0;
   Median chamfer_l1_m, center_error_m, v_iou, b_iou;
-  Median failure_share;  ///< a mean, not a median
-  double p50_ms = 0;
-  double p99_ms = 0;
+  Median failure_share;          ///< a mean, not a median
+  std::optional<double> p50_ms;  ///< of the calls that gave a shape
+  std::optional<double> p99_ms;
 };
+/// Per dataset and estimator, in order of appearance: all classes, those in and out of its domain
+/// where it is told, each.
 std::vector<SingleViewSummary> summarize(const std::vector<SingleViewRow>& rows,
                                          const BootstrapConfig& bootstrap);
 
+/// An estimator that cannot be started fails on every object and says why; throws InputError where
+/// none can. Each answers once before it is timed.
 /// @param on_world  called with dataset and seed before each world
 std::vector<SingleViewRow> runSingleViewStudy(
     const SingleViewStudy& study,

@@ -68,12 +68,13 @@ Values column(const std::vector<const SingleViewRow*>& rows,
   return values;
 }
 
-SingleViewSummary summaryOf(const std::string& estimator, const std::string& class_name,
+SingleViewSummary summaryOf(const std::string& class_name,
                             const std::vector<const SingleViewRow*>& rows,
                             const BootstrapConfig& bootstrap) {
   constexpr double kWorst = std::numeric_limits<double>::infinity();
   SingleViewSummary summary;
-  summary.estimator = estimator;
+  summary.dataset = rows.front()->dataset;
+  summary.estimator = rows.front()->estimator;
   summary.class_name = class_name;
   summary.objects = rows.size();
   const auto medianOf = [&](std::optional<double> SingleViewRow::*field, double worst) {
@@ -87,11 +88,13 @@ SingleViewSummary summaryOf(const std::string& estimator, const std::string& cla
   Values times;
   for (const SingleViewRow* row : rows) {
     failures.push_back(row->failed() ? 1 : 0);
-    times.push_back(row->wall_ms.at("total"));
+    if (row->failure.empty()) times.push_back(row->wall_ms.at("total"));
   }
   summary.failure_share = resampled(failures, mean, bootstrap);
-  summary.p50_ms = quantile(times, 0.5);
-  summary.p99_ms = quantile(times, 0.99);
+  if (!times.empty()) {
+    summary.p50_ms = quantile(times, 0.5);
+    summary.p99_ms = quantile(times, 0.99);
+  }
   return summary;
 }
 
@@ -109,28 +112,29 @@ std::string share(const SingleViewSummary::Median& median) {
 
 std::vector<SingleViewSummary> summarize(const std::vector<SingleViewRow>& rows,
                                          const BootstrapConfig& bootstrap) {
-  std::vector<std::string> estimators;
-  std::set<std::string> classes;
+  using Group = std::vector<const SingleViewRow*>;
+  std::vector<std::pair<std::string, std::string>> places;  // dataset, estimator
+  std::map<std::pair<std::string, std::string>, Group> of_place;
   for (const SingleViewRow& row : rows) {
-    if (std::find(estimators.begin(), estimators.end(), row.estimator) == estimators.end()) {
-      estimators.push_back(row.estimator);
-    }
-    classes.insert(row.class_name);
+    Group& group = of_place[{row.dataset, row.estimator}];
+    if (group.empty()) places.emplace_back(row.dataset, row.estimator);
+    group.push_back(&row);
   }
   std::vector<SingleViewSummary> summaries;
-  for (const std::string& estimator : estimators) {
-    std::map<std::string, std::vector<const SingleViewRow*>> groups;
-    for (const SingleViewRow& row : rows) {
-      if (row.estimator != estimator) continue;
-      groups["all"].push_back(&row);
-      groups[row.class_name].push_back(&row);
+  for (const auto& place : places) {
+    std::map<std::string, Group> classes;
+    Group in_domain, out_of_domain;
+    for (const SingleViewRow* row : of_place[place]) {
+      classes[row->class_name].push_back(row);
+      if (row->in_domain) (*row->in_domain ? in_domain : out_of_domain).push_back(row);
     }
-    summaries.push_back(summaryOf(estimator, "all", groups["all"], bootstrap));
-    for (const std::string& name : classes) {
-      if (!groups[name].empty()) {
-        summaries.push_back(summaryOf(estimator, name, groups[name], bootstrap));
-      }
-    }
+    const auto add = [&](const std::string& name, const Group& group) {
+      if (!group.empty()) summaries.push_back(summaryOf(name, group, bootstrap));
+    };
+    add(kAllClasses, of_place[place]);
+    add(kInDomain, in_domain);
+    add(kOutOfDomain, out_of_domain);
+    for (const auto& [name, group] : classes) add(name, group);
   }
   return summaries;
 }
@@ -140,10 +144,11 @@ std::string viewsCsv(const std::vector<SingleViewRow>& rows) {
   for (const SingleViewRow& row : rows) {
     for (const auto& [stage, _] : row.wall_ms) stages.insert(stage);
   }
-  std::vector<std::string> header = {
-      "dataset",  "seed",         "estimator",      "object", "class",         "subtype",
-      "stamp_ns", "pixels",       "distance_m",     "cut",    "seen_fraction", "failure",
-      "failed",   "chamfer_l1_m", "center_error_m", "v_iou",  "b_iou",         "inlier_ratio"};
+  std::vector<std::string> header = {"dataset", "seed",       "estimator",    "object",
+                                     "class",   "in_domain",  "subtype",      "stamp_ns",
+                                     "pixels",  "distance_m", "cut",          "seen_fraction",
+                                     "failure", "failed",     "chamfer_l1_m", "center_error_m",
+                                     "v_iou",   "b_iou",      "inlier_ratio"};
   for (const std::string& stage : stages) header.push_back(stage + "_wall_ms");
   std::string csv = csvLine(header);
   for (const SingleViewRow& row : rows) {
@@ -152,6 +157,9 @@ std::string viewsCsv(const std::vector<SingleViewRow>& rows) {
                                       row.estimator,
                                       row.object,
                                       row.class_name,
+                                      !row.in_domain   ? ""
+                                      : *row.in_domain ? "1"
+                                                       : "0",
                                       row.subtype,
                                       std::to_string(row.stamp_ns),
                                       std::to_string(row.pixels),
@@ -175,14 +183,15 @@ std::string viewsCsv(const std::vector<SingleViewRow>& rows) {
 }
 
 std::string summaryCsv(const std::vector<SingleViewSummary>& summaries) {
-  std::vector<std::string> header = {"estimator", "class", "objects"};
+  std::vector<std::string> header = {"dataset", "estimator", "class", "objects"};
   for (const char* name : {"chamfer_l1_m", "center_error_m", "v_iou", "b_iou", "failures"}) {
     for (const char* suffix : {"", "_low", "_high"}) header.push_back(std::string(name) + suffix);
   }
   header.insert(header.end(), {"p50_ms", "p99_ms"});
   std::string csv = csvLine(header);
   for (const SingleViewSummary& s : summaries) {
-    std::vector<std::string> cells = {s.estimator, s.class_name, std::to_string(s.objects)};
+    std::vector<std::string> cells = {s.dataset, s.estimator, s.class_name,
+                                      std::to_string(s.objects)};
     for (const SingleViewSummary::Median* m :
          {&s.chamfer_l1_m, &s.center_error_m, &s.v_iou, &s.b_iou, &s.failure_share}) {
       for (const double value : {m->value, m->interval.low, m->interval.high}) {
@@ -197,16 +206,24 @@ std::string summaryCsv(const std::vector<SingleViewSummary>& summaries) {
 }
 
 std::string summaryTable(const std::vector<SingleViewSummary>& summaries) {
-  std::size_t widest = 9;
-  for (const SingleViewSummary& s : summaries) widest = std::max(widest, s.estimator.size());
-  std::string text = fmt::format("{:<{}}  {:<8} {:>4}  {:<18} {:<18} {:<21} {:<21} {:<18} {}\n",
-                                 "estimator", widest, "class", "n", "chamfer_l1 [cm]",
-                                 "center [cm]", "v_iou", "b_iou", "failures [%]", "p50/p99 [ms]");
+  std::size_t dataset = 7;
+  std::size_t estimator = 9;
+  std::size_t class_name = 5;
   for (const SingleViewSummary& s : summaries) {
-    text += fmt::format("{:<{}}  {:<8} {:>4}  {:<18} {:<18} {:<21} {:<21} {:<18} {:.0f}/{:.0f}\n",
-                        s.estimator, widest, s.class_name, s.objects, cm(s.chamfer_l1_m),
-                        cm(s.center_error_m), share(s.v_iou), share(s.b_iou), cm(s.failure_share),
-                        s.p50_ms, s.p99_ms);
+    dataset = std::max(dataset, s.dataset.size());
+    estimator = std::max(estimator, s.estimator.size());
+    class_name = std::max(class_name, s.class_name.size());
+  }
+  constexpr const char* kRow =
+      "{:<{}}  {:<{}}  {:<{}} {:>4}  {:<18} {:<18} {:<21} {:<21} {:<18} {}\n";
+  std::string text = fmt::format(kRow, "dataset", dataset, "estimator", estimator, "class",
+                                 class_name, "n", "chamfer_l1 [cm]", "center [cm]", "v_iou",
+                                 "b_iou", "failures [%]", "p50/p99 [ms]");
+  for (const SingleViewSummary& s : summaries) {
+    const std::string times = s.p50_ms ? fmt::format("{:.0f}/{:.0f}", *s.p50_ms, *s.p99_ms) : "n/a";
+    text += fmt::format(kRow, s.dataset, dataset, s.estimator, estimator, s.class_name, class_name,
+                        s.objects, cm(s.chamfer_l1_m), cm(s.center_error_m), share(s.v_iou),
+                        share(s.b_iou), cm(s.failure_share), times);
   }
   return text;
 }

@@ -15,6 +15,7 @@
 #include "core/parallel/parallel_for.h"
 #include "eval/evaluation/csv.h"
 #include "eval/evaluation/method_scores.h"
+#include "eval/experiment/candidate_geometry.h"
 
 namespace hydrabench {
 namespace {
@@ -23,23 +24,12 @@ namespace {
 class World {
  public:
   explicit World(const TauOWorld& world)
-      : candidates_(world.candidates), counting_(world.counting) {
-    for (const ShapeCandidate& candidate : candidates_) {
-      full_.push_back(detection(candidate, candidate.mesh));
-      partial_.push_back(detection(candidate, candidate.partial_mesh));
-    }
-  }
+      : candidates_(world.candidates), counting_(world.counting), geometry_(world.candidates) {}
 
   std::size_t addMatches(const DecisionConfig& decision, std::vector<TauOStep::At>& scores,
                          std::vector<CountsByClass>& by_class) const {
-    const Decision decided = decide(candidates_, decision);
-    std::vector<DetectionObject> estimates;
-    for (std::size_t i = 0; i < decided.objects.size(); ++i) {
-      const Decision::Object& object = decided.objects[i];
-      DetectionObject estimate = (object.partial ? partial_ : full_)[object.candidate];
-      estimate.id = i;
-      if (counting_.includes(estimate)) estimates.push_back(estimate);
-    }
+    const std::vector<DetectionObject> estimates =
+        geometry_.estimates(decide(candidates_, decision), counting_);
     for (std::size_t k = 0; k < scores.size(); ++k) {
       const DetectionMatches matches =
           match(scores[k].matching, estimates, counting_.truths, scores[k].threshold);
@@ -52,15 +42,9 @@ class World {
   }
 
  private:
-  static DetectionObject detection(const ShapeCandidate& candidate, const Mesh& mesh) {
-    if (mesh.empty()) return {0, candidate.label, {}, 0};
-    return detectionObject(0, candidate.label, mesh);
-  }
-
   const std::vector<ShapeCandidate>& candidates_;
   const Counting& counting_;
-  std::vector<DetectionObject> full_;  ///< per candidate
-  std::vector<DetectionObject> partial_;
+  CandidateGeometry geometry_;
 };
 
 std::string shown(const std::optional<double>& value) {

@@ -28,6 +28,13 @@ struct PlotCurve {
   std::vector<Band> band;     ///< drawn as a light area; may be empty
 };
 
+/// A distribution: its density to both sides of a vertical line, from the least value to the
+/// greatest, with a bar from p25 to p75 and a dot at the median (violin.h).
+struct PlotViolin {
+  std::string label;           ///< stands below it
+  std::vector<double> values;  ///< none: said so in its place
+};
+
 struct PlotPanel {
   std::string title;
   std::string x_label;
@@ -41,10 +48,13 @@ struct PlotPanel {
     std::string label;
   };
   std::vector<Mark> marks;
+  bool log_y = false;  ///< y_range and all values above 0
+  /// Side by side, instead of curves; their names are the x axis.
+  std::vector<PlotViolin> violins;
 };
 
 /// Panels side by side. Curve i of every panel has the style and the name of curve i of the first,
-/// which stand once above the panels.
+/// which stand once above the panels; violin i of every panel has the colour of curve i.
 struct Plot {
   std::vector<PlotPanel> panels;
 };

@@ -88,6 +88,14 @@ TEST(SingleViewStudy, TheShippedOneIsValidUpToItsWeights) {
   EXPECT_EQ(study.datasets.at(0).numWorlds(), 5u);
 }
 
+TEST(SingleViewStudy, TheShippedStudiesOfTimeAndDomainAreValid) {
+  const SingleViewStudy timing = readSingleViewStudy(kConfigs + "/studies/timing.yaml");
+  ASSERT_EQ(timing.datasets.size(), 2u);
+  EXPECT_THAT(timing.resolved_config, HasSubstr("type: sidecar"));
+  const SingleViewStudy domain = readSingleViewStudy(kConfigs + "/studies/out_of_domain.yaml");
+  EXPECT_EQ(domain.estimators.at(0).trained_on.size(), 4u);
+}
+
 TEST(SingleViewStudy, SaysWhatIsWrongWithItsFile) {
   EXPECT_THAT(faultOf("  - {name: truth, type: orakle}\n"), HasSubstr("oracle"));
   EXPECT_THAT(faultOf("  - {type: oracle}\n"), HasSubstr("name"));
@@ -102,16 +110,21 @@ TEST(SingleViewStudy, TheOracleIsExactWhateverOdometrySaysAndAnEstimatorThatFail
   SingleViewStudy study = readSingleViewStudy(studyFile(folder, kOracle), kSmall);
   study.estimators.push_back(
       {"none", [](const Dataset&) { return std::make_shared<FailingEstimator>(); }});
+  study.estimators.push_back({"absent", [](const Dataset&) -> std::shared_ptr<ShapeEstimator> {
+                                throw InputError("no weights");
+                              }});
+  study.estimators[0].trained_on = {"chair"};
   std::vector<std::string> worlds;
   const auto rows =
       runSingleViewStudy(study, [&](const std::string& dataset, const std::string& seed) {
         worlds.push_back(dataset + " " + seed);
       });
   EXPECT_EQ(worlds.size(), 1u);
-  ASSERT_EQ(rows.size() % 2, 0u);
-  ASSERT_GE(rows.size(), 10u);
+  ASSERT_EQ(rows.size() % 3, 0u);
+  ASSERT_GE(rows.size(), 15u);
+  const std::size_t count = rows.size() / 3;
   std::set<std::string> objects;
-  for (std::size_t i = 0; i < rows.size() / 2; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const SingleViewRow& exact = rows[i];
     objects.insert(exact.object);
     EXPECT_EQ(exact.estimator, "truth");
@@ -128,31 +141,48 @@ TEST(SingleViewStudy, TheOracleIsExactWhateverOdometrySaysAndAnEstimatorThatFail
     EXPECT_LT(exact.seen_fraction, 0.8);
     EXPECT_FALSE(exact.subtype.empty());
     EXPECT_GE(exact.wall_ms.at("total"), 0);
+    EXPECT_EQ(exact.in_domain.value(), exact.class_name == "chair");
 
-    const SingleViewRow& failed = rows[i + rows.size() / 2];
+    const SingleViewRow& failed = rows[i + count];
     EXPECT_EQ(failed.estimator, "none");
     EXPECT_EQ(failed.object, exact.object);
     EXPECT_EQ(failed.stamp_ns, exact.stamp_ns);
     EXPECT_EQ(failed.failure, "always");
     EXPECT_TRUE(failed.failed());
     EXPECT_FALSE(failed.chamfer_l1_m);
+    EXPECT_FALSE(failed.in_domain);
+
+    const SingleViewRow& absent = rows[i + 2 * count];
+    EXPECT_EQ(absent.object, exact.object);
+    EXPECT_EQ(absent.failure, "no weights");
+    EXPECT_TRUE(absent.wall_ms.empty());
   }
-  EXPECT_EQ(objects.size(), rows.size() / 2);  // every object once
+  EXPECT_EQ(objects.size(), count);  // every object once
   const auto summaries = summarize(rows, {.resamples = 0});
   EXPECT_EQ(summaries.front().failure_share.value, 0);
   EXPECT_EQ(summaries.front().objects, objects.size());
 
   // Other views of the same objects.
-  study.estimators.resize(1);
+  study.estimators.erase(study.estimators.begin() + 1, study.estimators.end());
   study.views.choose = "random";
   study.views.masks = "given";
   const auto random = runSingleViewStudy(study, [](const auto&, const auto&) {});
   std::set<std::pair<std::string, std::int64_t>> by_box, by_chance;
-  for (std::size_t i = 0; i < rows.size() / 2; ++i)
-    by_box.insert({rows[i].object, rows[i].stamp_ns});
+  for (std::size_t i = 0; i < count; ++i) by_box.insert({rows[i].object, rows[i].stamp_ns});
   for (const SingleViewRow& row : random) by_chance.insert({row.object, row.stamp_ns});
   EXPECT_GE(random.size(), 4u);
   EXPECT_NE(by_box, by_chance);
+}
+
+TEST(SingleViewStudy, EndsWhereNoEstimatorCanBeStarted) {
+  const TemporaryFolder folder;
+  SingleViewStudy study = readSingleViewStudy(studyFile(folder, kOracle), kSmall);
+  study.estimators[0].start = [](const Dataset&) -> std::shared_ptr<ShapeEstimator> {
+    throw InputError("no weights");
+  };
+  EXPECT_EQ(
+      messageOf<InputError>([&] { runSingleViewStudy(study, [](const auto&, const auto&) {}); }),
+      "no weights");
 }
 
 }  // namespace

@@ -112,8 +112,27 @@ TEST(SingleViewSummary, GroupsByEstimatorInOrderAndByClass) {
   EXPECT_THAT(names, ::testing::ElementsAre("second all 3", "second bin 2", "second chair 1",
                                             "first all 1", "first bin 1"));
   EXPECT_DOUBLE_EQ(summaries[0].chamfer_l1_m.value, 0.06);
-  EXPECT_EQ(summaries[0].p50_ms, 20);
-  EXPECT_EQ(summaries[0].p99_ms, 30);
+  EXPECT_EQ(summaries[0].p50_ms.value(), 20);
+  EXPECT_EQ(summaries[0].p99_ms.value(), 30);
+}
+
+TEST(SingleViewSummary, KeepsDatasetsApartAndDomains) {
+  SingleViewRow trained = rowOf("a", "chair", 0.01, 0.5);
+  SingleViewRow other = rowOf("a", "computer", 0.09, 0.5);
+  trained.in_domain = true;
+  other.in_domain = false;
+  SingleViewRow elsewhere = trained;
+  elsewhere.dataset = "campus";
+  std::vector<std::string> names;
+  const auto summaries = summarize({trained, other, trained, elsewhere}, {.resamples = 0});
+  for (const SingleViewSummary& s : summaries) {
+    names.push_back(s.dataset + " " + s.class_name + " " + std::to_string(s.objects));
+  }
+  EXPECT_THAT(names,
+              ::testing::ElementsAre("office all 3", "office in_domain 2", "office out_of_domain 1",
+                                     "office chair 2", "office computer 1", "campus all 1",
+                                     "campus in_domain 1", "campus chair 1"));
+  EXPECT_DOUBLE_EQ(summaries[2].chamfer_l1_m.value, 0.09);
 }
 
 TEST(SingleViewTables, ViewsHaveAColumnPerStage) {
@@ -122,15 +141,15 @@ TEST(SingleViewTables, ViewsHaveAColumnPerStage) {
   const std::vector<std::string> lines = linesOf(viewsCsv({row, failureOf("a", "bin")}));
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0],
-            "dataset,seed,estimator,object,class,subtype,stamp_ns,pixels,distance_m,cut,"
+            "dataset,seed,estimator,object,class,in_domain,subtype,stamp_ns,pixels,distance_m,cut,"
             "seen_fraction,failure,failed,chamfer_l1_m,center_error_m,v_iou,b_iou,inlier_ratio,"
             "network_wall_ms,total_wall_ms");
-  EXPECT_THAT(lines[1], ::testing::StartsWith("office,1,a,bin_000,bin,,0,0,0,0,0,,0,0.01,"));
+  EXPECT_THAT(lines[1], ::testing::StartsWith("office,1,a,bin_000,bin,,,0,0,0,0,0,,0,0.01,"));
   EXPECT_THAT(lines[1], ::testing::EndsWith(",7.5,12"));
   EXPECT_THAT(lines[2], HasSubstr(",too few points,1,"));
   EXPECT_THAT(lines[2], ::testing::EndsWith(",,10"));  // no time of the network
   for (const std::string& line : lines) {
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 19) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 20) << line;
   }
 }
 
@@ -139,11 +158,12 @@ TEST(SingleViewTables, SummariesAreWrittenWithIntervalsAndInfinity) {
   const std::vector<std::string> lines = linesOf(summaryCsv(summaries));
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0],
-            "estimator,class,objects,chamfer_l1_m,chamfer_l1_m_low,chamfer_l1_m_high,"
+            "dataset,estimator,class,objects,chamfer_l1_m,chamfer_l1_m_low,chamfer_l1_m_high,"
             "center_error_m,center_error_m_low,center_error_m_high,v_iou,v_iou_low,v_iou_high,"
             "b_iou,b_iou_low,b_iou_high,failures,failures_low,failures_high,p50_ms,p99_ms");
-  EXPECT_EQ(lines[1], "a,all,1,inf,inf,inf,inf,inf,inf,0,0,0,0,0,0,1,1,1,10,10");
+  EXPECT_EQ(lines[1], "office,a,all,1,inf,inf,inf,inf,inf,inf,0,0,0,0,0,0,1,1,1,,");
   EXPECT_THAT(summaryTable(summaries), HasSubstr("inf (inf-inf)"));
+  EXPECT_THAT(summaryTable(summaries), HasSubstr("n/a"));  // no time of a shape
   EXPECT_EQ(linesOf(summaryTable(summaries)).size(), 3u);
 }
 

@@ -58,6 +58,36 @@ TEST(Plot, IsDrawnAsPngAndSvg) {
   EXPECT_FALSE(std::filesystem::exists(folder / "small.log"));
 }
 
+Plot violins() {
+  Plot plot;
+  PlotPanel& panel = plot.panels.emplace_back();
+  panel.title = std::string("indoors");
+  panel.y_label = std::string("latency [ms]");
+  panel.y_range = {1, 1000};
+  panel.log_y = true;
+  panel.violins = {{"fast", {2, 3, 4, 3, 3}}, {"slow_one", {200, 300}}, {"absent", {}}};
+  return plot;
+}
+
+TEST(Plot, NamesViolinsBelowThemAndSaysWhichIsNotThere) {
+  const std::string script = gnuplotScript(violins(), "v");
+  EXPECT_THAT(script, HasSubstr("set logscale y"));
+  EXPECT_THAT(script, HasSubstr(R"(set xtics ("fast" 1, "slow\\_one" 2, "absent" 3))"));
+  EXPECT_THAT(script, HasSubstr("set label \"not available\" at 3,"));
+  EXPECT_THAT(script, HasSubstr("$median_0_0 << EOD\n1 3\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$bar_0_1 << EOD\n2 200\n2 300\nEOD\n"));
+  EXPECT_THAT(script, Not(HasSubstr("$violin_0_2")));
+}
+
+TEST(Plot, DrawsViolinsBesideEachOther) {
+  if (!canPlot()) GTEST_SKIP() << "gnuplot is not installed";
+  const TemporaryFolder folder;
+  Plot plot = violins();
+  plot.panels.push_back(smallPlot().panels[0]);  // and a panel of another kind
+  EXPECT_EQ(drawPlot(plot, folder.path(), "violins"), "");
+  EXPECT_EQ(readColorImage(folder / "violins.png").width(), 1440);
+}
+
 TEST(Plot, SaysWhatIsMissingAndLeavesTheScript) {
   const TemporaryFolder folder;
   const std::string path = std::getenv("PATH");
