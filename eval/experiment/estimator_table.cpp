@@ -3,6 +3,7 @@
 #include "eval/experiment/estimator_table.h"
 
 #include "core/shape/crisp/crisp_estimator.h"
+#include "core/shape/latent_flow/latent_flow_estimator.h"
 #include "core/shape/scale_alignment.h"
 #include "core/shape/sidecar/sidecar_estimator.h"
 #include "eval/oracles/shape_oracle.h"
@@ -23,6 +24,12 @@ EstimatorStart readCrisp(ConfigReader& reader) {
   return [config](const Dataset&) { return std::make_shared<CrispEstimator>(config); };
 }
 
+EstimatorStart readLatentFlow(ConfigReader& reader) {
+  LatentFlowEstimator::Config config;
+  read(reader, config);
+  return [config](const Dataset&) { return std::make_shared<LatentFlowEstimator>(config); };
+}
+
 EstimatorStart readSidecar(ConfigReader& reader) {
   SidecarEstimator::Config config;
   read(reader, config);
@@ -38,6 +45,7 @@ EstimatorStart readOracle(ConfigReader&) {
 
 constexpr EstimatorType kTypes[] = {
     {"crisp", readCrisp},
+    {"latent_flow", readLatentFlow},
     {"sidecar", readSidecar},
     {"oracle", readOracle},
 };
