@@ -3,6 +3,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 #include "eval/app/progress.h"
 #include "eval/report/loss_plot.h"
 #include "eval/training/crisp_training.h"
+#include "eval/training/latent_flow_training.h"
 
 namespace hydrabench {
 namespace {
@@ -72,12 +74,34 @@ class TrainingLog {
   std::chrono::steady_clock::time_point printed_;
 };
 
+using Training = std::function<TrainingState(
+    const std::string& resolved, const std::filesystem::path& out, const StopRequest& stop)>;
+
+/// What is trained is the key `model`; the rest of the file is its config.
+Training readTraining(ConfigReader& reader) {
+  std::string model = "crisp";
+  reader.choice("model", model, {"crisp", "latent_flow"});
+  if (model == "latent_flow") {
+    LatentFlowTrainingConfig config;
+    read(reader, config);
+    return [config](const std::string& resolved, const std::filesystem::path& out,
+                    const StopRequest& stop) {
+      return trainLatentFlow(config, resolved, out, TrainingLog(), stop);
+    };
+  }
+  CrispTrainingConfig config;
+  read(reader, config);
+  return [config](const std::string& resolved, const std::filesystem::path& out,
+                  const StopRequest& stop) {
+    return trainCrispModel(config, resolved, out, TrainingLog(), stop);
+  };
+}
+
 int runTrain(const Options& options) {
   ConfigDocument document = ConfigDocument::fromFile(options.config);
   for (const std::string& assignment : options.overrides) document.set(assignment);
   ConfigReader reader(document);
-  CrispTrainingConfig config;
-  read(reader, config);
+  const Training train = readTraining(reader);
   reader.finish();
 
   std::signal(SIGINT, [](int) { interrupted = 1; });
@@ -89,8 +113,7 @@ int runTrain(const Options& options) {
     const auto now = std::chrono::steady_clock::now();
     return interrupted || std::chrono::duration<double>(now - start).count() > limit_s;
   };
-  const TrainingState state =
-      trainCrispModel(config, reader.resolved(), options.out, TrainingLog(), stop);
+  const TrainingState state = train(reader.resolved(), options.out, stop);
   if (state == TrainingState::kNoNetworkYet) {
     fmt::print("stopped before there was a network; the same command goes on from here\n");
     return kDone;

@@ -4,6 +4,7 @@
 
 #include "baselines/template_cad/template_estimator.h"
 #include "core/shape/crisp/crisp_estimator.h"
+#include "core/shape/latent_flow/latent_flow_estimator.h"
 #include "core/shape/scale_alignment.h"
 #include "core/shape/sidecar/sidecar_estimator.h"
 #include "eval/oracles/shape_oracle.h"
@@ -22,6 +23,12 @@ EstimatorStart readCrisp(ConfigReader& reader) {
   CrispEstimator::Config config;
   read(reader, config);
   return [config](const Dataset&) { return std::make_shared<CrispEstimator>(config); };
+}
+
+EstimatorStart readLatentFlow(ConfigReader& reader) {
+  LatentFlowEstimator::Config config;
+  read(reader, config);
+  return [config](const Dataset&) { return std::make_shared<LatentFlowEstimator>(config); };
 }
 
 EstimatorStart readSidecar(ConfigReader& reader) {
@@ -47,6 +54,7 @@ EstimatorStart readOracle(ConfigReader&) {
 
 constexpr EstimatorType kTypes[] = {
     {"crisp", readCrisp},
+    {"latent_flow", readLatentFlow},
     {"sidecar", readSidecar},
     {"template", readTemplate},
     {"oracle", readOracle},

@@ -88,6 +88,7 @@ std::string methodLabel(const std::string& method) {
       {"hydra_plus_plus_no_rmcc", "Hydra++ w/o RMCC"},
       {"hydra_plus_plus_extended", "Hydra++ extended"},
       {"hydra_plus_plus_refined", "Hydra++ refined"},
+      {"hydra_plus_plus_latent_flow", "Hydra++, latent flow (built in)"},
       {"oracle_shape", "Oracle shape (bound)"},
       {"oracle_view", "Oracle view (bound)"},
       {"oracle_masks", "Oracle masks (bound)"},

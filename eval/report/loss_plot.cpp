@@ -26,6 +26,9 @@ constexpr Panel kPanels[] = {
     {"Object coordinates", "network", "nocs_error", "mean error"},
     {"Shape from a view", "network", "sdf_l1", "mean error"},
     {"Pose by the network", "network", "direct", "loss"},
+    {"Shapes to latents and back", "autoencoder", "sdf_l1", "mean error"},
+    {"Flow of poses", "pose", "flow", "squared error"},
+    {"Flow of shapes", "shape", "flow", "squared error"},
 };
 
 /// A column over thousands of steps, where it has numbers.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "eval/training/crisp_trainer.h"
+#include "eval/training/distance_loss.h"
 
 namespace hydrabench {
 namespace {

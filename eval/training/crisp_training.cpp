@@ -2,30 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "eval/training/crisp_training.h"
 
-#include <fmt/format.h>
-
 #include "core/io/atomic_file.h"
 #include "core/shape/crisp/crisp_manifest.h"
 #include "core/shape/crisp/torch_runtime.h"
 #include "core/shape/crisp/torch_weights.h"
-#include "core/types/error.h"
 #include "eval/training/crisp_trainer.h"
+#include "eval/training/training_folder.h"
 
 namespace hydrabench {
 namespace {
 
 constexpr double kCubeHalfSide = 1.1;  // shapes reach to 1; plants seen at an angle little farther
-
-void requireSameConfig(const std::filesystem::path& file, const std::string& resolved) {
-  if (!std::filesystem::exists(file)) {
-    writeFileAtomic(file, resolved);
-  } else if (readFile(file) != resolved) {
-    throw InputError(
-        fmt::format("{}: belongs to a training with other settings, expected the same or an empty "
-                    "folder",
-                    file.string()));
-  }
-}
 
 void writeModel(const CrispTrainingConfig& config, const std::filesystem::path& folder,
                 PointNetwork network) {

@@ -24,8 +24,8 @@ void writeWithoutLinesAfter(const std::filesystem::path& path, const std::string
 
 const std::vector<std::string>& lossColumns() {
   static const std::vector<std::string> columns = {
-      "phase",  "step", "samples",        "learning_rate", "nocs_error", "sdf_l1",
-      "direct", "code", "val_nocs_error", "val_sdf_l1",    "val_direct"};
+      "phase", "step",           "samples",    "learning_rate", "nocs_error", "sdf_l1",  "direct",
+      "code",  "val_nocs_error", "val_sdf_l1", "val_direct",    "flow",       "val_flow"};
   return columns;
 }
 

@@ -10,6 +10,7 @@
 #include "core/parallel/parallel_for.h"
 #include "core/shape/crisp/torch_runtime.h"
 #include "eval/training/checkpoint.h"
+#include "eval/training/distance_loss.h"
 #include "eval/training/half_precision.h"
 #include "eval/training/loss_file.h"
 #include "eval/training/sharded.h"
@@ -92,16 +93,6 @@ Batch drawBatch(const std::vector<Entry>& entries, const std::vector<std::int64_
 }
 
 }  // namespace
-
-torch::Tensor distanceLoss(const torch::Tensor& predicted, const torch::Tensor& target,
-                           double clamp, const torch::Tensor& quantile) {
-  const torch::Tensor clamped = target.clamp(-clamp, clamp);
-  const torch::Tensor weight = 0.5 + 0.5 * (clamped.abs() < 0.1).to(torch::kFloat32);
-  const torch::Tensor excess = predicted.to(torch::kFloat32) - clamped;
-  // Twice the pinball loss: as large as the absolute error at the median.
-  const torch::Tensor loss = torch::max(2 * (1 - quantile) * excess, -2 * quantile * excess);
-  return (weight * loss).mean();
-}
 
 std::optional<ShapeCodes> trainShapeDecoder(const CrispTrainingConfig& config,
                                             const TrainingPool& pool, PointNetwork network,

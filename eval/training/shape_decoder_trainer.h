@@ -21,14 +21,6 @@ struct ShapeCodes {
   std::map<std::int64_t, std::int64_t> rows;  ///< number of a shape -> row
 };
 
-/// Weighted L1 between predicted and clamped true distances: what lies far from the surface counts
-/// half. The prediction is not clamped: its gradient would vanish.
-/// @param quantile  of the true distance that is learned, one or [B, 1]: 0.5 its median. Below
-/// half,
-///                  a prediction that is too large costs more than one too small
-torch::Tensor distanceLoss(const torch::Tensor& predicted, const torch::Tensor& target,
-                           double clamp, const torch::Tensor& quantile = torch::tensor(0.5f));
-
 /// Trains network->decoder() and network->modulation(). Keeps out/decoder.checkpoint, from
 /// which it goes on, and its lines in out/loss.csv.
 /// @return  codes of the shapes that have a front; nullopt if asked to stop

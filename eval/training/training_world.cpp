@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <memory>
+#include <numbers>
 
 #include "core/geometry/surface_sampling.h"
+#include "core/parallel/parallel_for.h"
+#include "core/shape/latent_flow/latent_grid.h"
 #include "eval/simulation/depth_noise.h"
 #include "eval/simulation/mask_corruption.h"
 #include "eval/simulation/office_world.h"
@@ -46,10 +50,56 @@ Eigen::Matrix3d leanOf(const SceneObject& object) {
   return Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R;
 }
 
+/// A frame as it comes from an estimated pose: a little off, now and then turned altogether.
+LocalFrame drawFrame(int yaw_symmetry, Random& random) {
+  LocalFrame frame;
+  for (int axis = 0; axis < 3; ++axis) frame.center[axis] = 0.06 * random.normal();
+  frame.scale = std::exp(0.03 + 0.08 * random.normal());
+  frame.bearing = 0.09 * random.normal();
+  if (yaw_symmetry > 1) {
+    const auto turns = random.index(static_cast<std::uint32_t>(yaw_symmetry));
+    frame.bearing += 2 * std::numbers::pi * turns / yaw_symmetry;
+  }
+  if (yaw_symmetry == 0 || random.chance(0.15)) {
+    frame.bearing = random.uniform(-std::numbers::pi, std::numbers::pi);
+  }
+  return frame;
+}
+
+/// @param distance  in object coordinates; its magnitude is never larger than the distance
+ShapeGrid gridOf(const LocalFrame& frame,
+                 const std::function<double(const Eigen::Vector3d&)>& distance) {
+  constexpr int kBlock = 4;  // nodes a side that are left out together where the surface is far
+  constexpr double kReach = 0.5 * std::numbers::sqrt3 * kBlock * kGridCell;
+  ShapeGrid grid;
+  grid.frame = frame;
+  grid.values.resize(kGridSide * kGridSide * kGridSide);
+  const auto at = [&](const Eigen::Vector3d& p) {
+    return distance(frame.toLevel(p)) / frame.scale;
+  };
+  for (int z = 0; z < kGridSide; z += kBlock) {
+    for (int y = 0; y < kGridSide; y += kBlock) {
+      for (int x = 0; x < kGridSide; x += kBlock) {
+        const Eigen::Vector3d middle =
+            0.5 * (gridNode(x, y, z) + gridNode(x + kBlock - 1, y + kBlock - 1, z + kBlock - 1));
+        const double there = at(middle);
+        const bool far = std::abs(there) > kTruncation + kReach;
+        for (int k = 0; k < kBlock * kBlock * kBlock; ++k) {
+          const int i = x + k % kBlock;
+          const int j = y + k / kBlock % kBlock;
+          const int l = z + k / (kBlock * kBlock);
+          grid.values[gridIndex(i, j, l)] = quantizedDistance(far ? there : at(gridNode(i, j, l)));
+        }
+      }
+    }
+  }
+  return grid;
+}
+
 /// A leaning object as a shape of its own: object coordinates are upright, as are all estimates.
 /// @param mesh  in the object's frame, turned by `lean`
 TrainingShape shapeOf(const SceneObject& object, const Mesh& mesh, const Eigen::Matrix3d& lean,
-                      int count, Random random) {
+                      const TrainingWorldConfig& config, Random random) {
   const Aabb box = bounds(mesh);
   TrainingShape shape;
   shape.family = object.subtype;
@@ -64,7 +114,10 @@ TrainingShape shapeOf(const SceneObject& object, const Mesh& mesh, const Eigen::
     }
   }
   shape.half_extent_m = static_cast<float>(half);
-  const auto n = static_cast<std::size_t>(count);
+  const auto n = static_cast<std::size_t>(config.sdf_points);
+  const auto distance = [&](const Eigen::Vector3d& p) {
+    return object.shape->sdf->value(lean.transpose() * (center + half * p)) / half;
+  };
   const std::size_t near = n / 2;
   const SurfaceSamples surface = sampleSurface(mesh, near, random.bits());
   for (std::size_t i = 0; i < n; ++i) {
@@ -80,28 +133,39 @@ TrainingShape shapeOf(const SceneObject& object, const Mesh& mesh, const Eigen::
     }
     p = p.cwiseMax(-1.6).cwiseMin(1.6);
     shape.points.push_back(p.cast<float>());
-    shape.distances.push_back(static_cast<float>(std::clamp(
-        object.shape->sdf->value(lean.transpose() * (center + half * p)) / half, -0.5, 0.5)));
+    shape.distances.push_back(static_cast<float>(std::clamp(distance(p), -0.5, 0.5)));
+  }
+  for (int i = 0; i < config.grid_frames; ++i) {
+    shape.grids.push_back(gridOf(drawFrame(shape.yaw_symmetry, random), distance));
   }
   return shape;
 }
 
-Shapes collectShapes(const Scene& scene, int sdf_points, Random random) {
+Shapes collectShapes(const Scene& scene, const TrainingWorldConfig& config, Random random) {
   Shapes result;
+  std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
-    if (!object.scored || !object.shape) continue;
+    if (!object.shape || !(object.scored || config.objects == "all")) continue;
+    const Eigen::Matrix3d lean = leanOf(object);
+    Transform turned = Transform::Identity();
+    turned.linear() = lean;
+    const Aabb box = bounds(transformed(turned, object.surface->mesh));
+    result.of_object[static_cast<std::int32_t>(i)] = static_cast<std::uint32_t>(chosen.size());
+    chosen.push_back(i);
+    result.centers.push_back(object.T_world_object * (lean.transpose() * box.center()));
+    const Eigen::Matrix3d R = object.T_world_object.linear();
+    result.yaws.push_back(std::atan2(R(1, 0), R(0, 0)));
+  }
+  result.shapes.resize(chosen.size());
+  parallelFor(chosen.size(), [&](std::size_t k) {
+    const SceneObject& object = scene.objects[chosen[k]];
     const Eigen::Matrix3d lean = leanOf(object);
     Transform turned = Transform::Identity();
     turned.linear() = lean;
     const Mesh mesh = transformed(turned, object.surface->mesh);
-    result.of_object[static_cast<std::int32_t>(i)] =
-        static_cast<std::uint32_t>(result.shapes.size());
-    result.shapes.push_back(shapeOf(object, mesh, lean, sdf_points, random.fork(i)));
-    result.centers.push_back(object.T_world_object * (lean.transpose() * bounds(mesh).center()));
-    const Eigen::Matrix3d R = object.T_world_object.linear();
-    result.yaws.push_back(std::atan2(R(1, 0), R(0, 0)));
-  }
+    result.shapes[k] = shapeOf(object, mesh, lean, config, random.fork(chosen[k]));
+  });
   return result;
 }
 
@@ -206,6 +270,7 @@ class ViewCollector {
 
 void read(ConfigReader& reader, TrainingWorldConfig& config) {
   reader.choice("world", config.world, {"office", "quick", "street"});
+  reader.choice("objects", config.objects, {"scored", "all"});
   reader.field("frames", config.frames, {1, 100000});
   reader.field("max_views_per_shape", config.max_views_per_shape, {1, 100000});
   reader.field("sdf_points", config.sdf_points, {100, 1000000});
@@ -213,6 +278,7 @@ void read(ConfigReader& reader, TrainingWorldConfig& config) {
   reader.field("image_width_px", config.image_width, {60, 4000});
   reader.field("clean_masks", config.clean_masks, {0, 1});
   reader.field("max_depth_m", config.max_depth_m, {0.5, 20});
+  reader.field("grid_frames", config.grid_frames, {0, 64});
 }
 
 std::uint64_t trainingWorldSeed(InstanceSplit split, std::uint64_t index) {
@@ -232,6 +298,13 @@ OfficeConfig trainingOffice(const TrainingWorldConfig& config, InstanceSplit spl
   office.plants = 26;
   office.bins = 26;
   office.computers = static_cast<int>(random.uniform(4, 18));
+  if (config.objects == "all") {  // a broader mix
+    office.chairs = 20;
+    office.couches = 8;
+    office.plants = 12;
+    office.bins = 14;
+    office.computers = 48;
+  }
   return office;
 }
 
@@ -253,7 +326,7 @@ TrainingWorld makeTrainingWorld(const TrainingWorldConfig& config, InstanceSplit
     block.scene = makeOffice(trainingOffice(config, split, index), seed);
   }
   const std::shared_ptr<const Scene> scene(&block.scene, [](const Scene*) {});  // outlives it
-  const Shapes shapes = collectShapes(*scene, config.sdf_points, random.fork(kShapeStream));
+  const Shapes shapes = collectShapes(*scene, config, random.fork(kShapeStream));
   const RgbdRenderer renderer(scene, {.with_overhead = true, .with_color = false});
   const TrainingViewsConfig wishes{config.image_width, config.max_depth_m, shapes.centers};
   const std::unique_ptr<TrainingViews> views =

@@ -13,11 +13,20 @@
 
 #include "core/config/config_reader.h"
 #include "core/shape/crisp/object_points.h"
+#include "core/shape/crisp/point_input.h"
 #include "eval/simulation/office_world.h"
 #include "eval/simulation/shape_family.h"
 #include "eval/simulation/street_block.h"
 
 namespace hydrabench {
+
+/// The distance field of a shape around one of the frames that a shape may be estimated in: near
+/// its own, as an estimated pose is.
+struct ShapeGrid {
+  LocalFrame frame;                 ///< in object coordinates
+  std::vector<std::int8_t> values;  ///< as quantizedDistance() of distances in the frame's units,
+                                    ///< kGridSide^3, x fastest (core/shape/latent_flow)
+};
 
 /// One instance of a shape family as training data.
 ///
@@ -31,6 +40,7 @@ struct TrainingShape {
   float half_extent_m = 0;
   std::vector<Eigen::Vector3f> points;  ///< near the surface and all over the cube
   std::vector<float> distances;         ///< at `points`, in object coordinates
+  std::vector<ShapeGrid> grids;         ///< TrainingWorldConfig::grid_frames of them
 };
 
 /// One instance seen from one place.
@@ -51,15 +61,17 @@ struct TrainingWorld {
 /// How training worlds are made: offices of the built-in generator or streets, other seeds, other
 /// instances, seen by cameras set down at random.
 struct TrainingWorldConfig {
-  std::string world = "office";  ///< of OfficeConfig; "quick" is for tests and first tries;
-                                 ///< "street": hydrants, cars, benches (StreetBlock)
-  int frames = 1500;             ///< rendered per world
-  int max_views_per_shape = 64;  ///< so that no instance dominates
-  int sdf_points = 12000;        ///< per instance
-  int min_pixels = 70;           ///< of a mask, at image_width
+  std::string world = "office";    ///< of OfficeConfig; "quick" is for tests and first tries;
+                                   ///< "street": hydrants, cars, benches (StreetBlock)
+  std::string objects = "scored";  ///< "all": furniture, computers, trees, too
+  int frames = 1500;               ///< rendered per world
+  int max_views_per_shape = 64;    ///< so that no instance dominates
+  int sdf_points = 12000;          ///< per instance
+  int min_pixels = 70;             ///< of a mask, at image_width
   int image_width = 360;
   double clean_masks = 0.5;  ///< share of views with exact masks
   double max_depth_m = 5;
+  int grid_frames = 0;  ///< grids per instance, for the latent flow
 };
 void read(ConfigReader& reader, TrainingWorldConfig& config);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/io/atomic_file.h"
+#include "core/shape/latent_flow/latent_grid.h"
 #include "eval/training/training_world.h"
 
 namespace hydrabench {
@@ -19,7 +20,9 @@ std::string header(const TrainingWorldConfig& config) {
          std::to_string(config.max_views_per_shape) + " " + std::to_string(config.sdf_points) +
          " " + std::to_string(config.min_pixels) + " " + std::to_string(config.image_width) + " " +
          std::to_string(config.clean_masks) + " " + std::to_string(config.max_depth_m) +
-         (config.world == "office" ? "" : " " + config.world) + "\n";
+         (config.world == "office" ? "" : " " + config.world) +
+         (config.objects == "scored" ? "" : " " + config.objects) +
+         (config.grid_frames == 0 ? "" : " " + std::to_string(config.grid_frames)) + "\n";
 }
 
 class Writer {
@@ -32,6 +35,12 @@ class Writer {
   void add(const std::string& text) {
     add(static_cast<std::uint32_t>(text.size()));
     bytes += text;
+  }
+  void add(const ShapeGrid& grid) {
+    for (int axis = 0; axis < 3; ++axis) add(grid.frame.center[axis]);
+    add(grid.frame.bearing);
+    add(grid.frame.scale);
+    bytes.append(reinterpret_cast<const char*>(grid.values.data()), grid.values.size());
   }
   void addRounded(float value, float step) {
     add(static_cast<std::int16_t>(std::lround(value / step)));
@@ -75,6 +84,18 @@ class Reader {
     }
     return result;
   }
+  ShapeGrid grid() {
+    ShapeGrid result;
+    for (int axis = 0; axis < 3; ++axis) result.frame.center[axis] = get<double>();
+    result.frame.bearing = get<double>();
+    result.frame.scale = get<double>();
+    result.values.resize(kGridSide * kGridSide * kGridSide);
+    if (at_ + result.values.size() <= bytes_.size()) {
+      std::memcpy(result.values.data(), bytes_.data() + at_, result.values.size());
+    }
+    at_ += result.values.size();
+    return result;
+  }
   bool complete() const { return at_ == bytes_.size(); }
 
  private:
@@ -96,6 +117,7 @@ void writeTrainingWorld(const std::filesystem::path& path, const TrainingWorldCo
     writer.add(shape.half_extent_m);
     writer.add(shape.points, kUnitStep);
     for (const float distance : shape.distances) writer.addRounded(distance, kUnitStep);
+    for (const ShapeGrid& grid : shape.grids) writer.add(grid);
   }
   writer.add(static_cast<std::uint32_t>(world.views.size()));
   for (const TrainingView& view : world.views) {
@@ -129,6 +151,7 @@ std::optional<TrainingWorld> readTrainingWorld(const std::filesystem::path& path
     shape.points = reader.points(kUnitStep);
     shape.distances.resize(shape.points.size());
     for (float& distance : shape.distances) distance = reader.rounded(kUnitStep);
+    for (int i = 0; i < config.grid_frames; ++i) shape.grids.push_back(reader.grid());
   }
   world.views.resize(reader.count(1));
   for (TrainingView& view : world.views) {

@@ -5,19 +5,12 @@
 #include "core/shape/crisp/crisp_manifest.h"
 #include "core/shape/crisp/crisp_models.h"
 #include "core/shape/crisp/torch_runtime.h"
-#include "core/types/error.h"
 
 namespace hydrabench {
 
 std::unique_ptr<const CrispModel> loadCrispModel(const std::filesystem::path& manifest,
                                                  const std::string& device) {
-  if (device != "cpu" && device != "cuda") {
-    throw InputError("device: '" + device + "': expected cpu or cuda");
-  }
-  if (device == "cuda" && !torchSeesCuda()) {
-    throw InputError("device: 'cuda': this libtorch (" + torchVersion() +
-                     ") sees no GPU; expected cpu");
-  }
+  requireTorchDevice(device);
   std::error_code error;
   const bool is_folder = std::filesystem::is_directory(manifest, error);
   const CrispManifest read = readCrispManifest(is_folder ? manifest / "manifest.yaml" : manifest);

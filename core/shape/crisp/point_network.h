@@ -4,30 +4,17 @@
 // Includes libtorch: for the sources of core/shape/crisp and of the trainers only.
 #pragma once
 
-#include <span>
-
 #include <torch/torch.h>
 
 #include "core/shape/crisp/film_sdf.h"
-#include "core/shape/crisp/point_input.h"
-#include "core/shape/crisp/transformer_block.h"
+#include "core/shape/crisp/point_encoder.h"
 
 namespace hydrabench {
-
-/// Inputs of several views as tensors; B views.
-struct PointBatch {
-  torch::Tensor points;        ///< [B, kPoints, kFeatures]
-  torch::Tensor patches;       ///< [B, kTokens, kPatch] int64
-  torch::Tensor near;          ///< [B, kObjectPoints, kNear] int64
-  torch::Tensor near_weights;  ///< [B, kObjectPoints, kNear]
-  torch::Tensor globals;       ///< [B, kGlobals]
-};
-PointBatch makePointBatch(std::span<const PointInput> inputs);
 
 /// The small CRISP network. It keeps CRISP's parts (a transformer encoder, dense NOCS for pose and
 /// scale, a code z in R^256 that modulates a FiLM-sine SDF decoder) and departs from it in its
 /// input: tokens are patches of measured points instead of image patches, colour is not used.
-class PointNetworkImpl : public torch::nn::Module {
+class PointNetworkImpl : public PointEncoderImpl {
  public:
   struct Options {
     int dim = 192;
@@ -54,16 +41,7 @@ class PointNetworkImpl : public torch::nn::Module {
   const Options& options() const { return options_; }
 
  private:
-  torch::Tensor tokens(const PointBatch& batch);
-
   Options options_;
-  torch::nn::Sequential patch_points_;
-  torch::nn::Linear patch_{nullptr};
-  torch::nn::Sequential position_;
-  torch::nn::Sequential globals_;
-  torch::Tensor kinds_;
-  torch::nn::ModuleList blocks_;
-  torch::nn::LayerNorm norm_{nullptr};
   torch::nn::Sequential own_point_;
   torch::nn::Sequential dense_;
   torch::nn::Sequential shape_;

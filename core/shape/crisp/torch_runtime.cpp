@@ -10,6 +10,8 @@
 #include <ATen/Parallel.h>
 #include <torch/version.h>
 
+#include "core/types/error.h"
+
 namespace hydrabench {
 
 void keepTorchOnThisThread() {
@@ -24,6 +26,16 @@ void keepTorchOnThisThread() {
 std::string torchVersion() { return TORCH_VERSION; }
 
 bool torchSeesCuda() { return at::hasCUDA(); }
+
+void requireTorchDevice(const std::string& device) {
+  if (device != "cpu" && device != "cuda") {
+    throw InputError("device: '" + device + "': expected cpu or cuda");
+  }
+  if (device == "cuda" && !torchSeesCuda()) {
+    throw InputError("device: 'cuda': this libtorch (" + torchVersion() +
+                     ") sees no GPU; expected cpu");
+  }
+}
 
 double matrixProductRate(double budget_s) {
   using Clock = std::chrono::steady_clock;

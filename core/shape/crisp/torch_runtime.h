@@ -13,6 +13,8 @@ void keepTorchOnThisThread();
 
 std::string torchVersion();
 bool torchSeesCuda();
+/// Throws InputError unless it is "cpu", or "cuda" and there is one.
+void requireTorchDevice(const std::string& device);
 
 /// Speed of a product of two 1024 x 1024 matrices of floats on one thread [GFLOP/s], the best of
 /// what fits into `budget_s` [s].

@@ -16,15 +16,15 @@ using ::testing::Not;
 
 constexpr const char* kHeader =
     "phase,step,samples,learning_rate,nocs_error,sdf_l1,direct,code,val_nocs_error,val_sdf_l1,"
-    "val_direct\n";
+    "val_direct,flow,val_flow\n";
 
 TEST(LossPlot, HasAPanelForEveryLossThatThereIs) {
   const TemporaryFolder folder;
   writeText(folder / "loss.csv", std::string(kHeader) +
-                                     "decoder,1000,,,,0.5,,,,,\n"
-                                     "decoder,2000,,,,0.25,,,,,\n"
-                                     "network,1000,,,0.75,,,,,,\n"
-                                     "network,2000,,,0.5,,,,0.625,,\n");
+                                     "decoder,1000,,,,0.5,,,,,,,\n"
+                                     "decoder,2000,,,,0.25,,,,,,,\n"
+                                     "network,1000,,,0.75,,,,,,,,\n"
+                                     "network,2000,,,0.5,,,,0.625,,,,\n");
   const std::string missing = drawLosses(folder / "loss.csv");
   EXPECT_EQ(missing.empty(), canPlot()) << missing;
   const std::string script = readText(folder / "loss.gp");
@@ -38,7 +38,7 @@ TEST(LossPlot, TakesTheMeanOfNeighboursWhereThereAreMany) {
   const TemporaryFolder folder;
   std::string text = kHeader;
   for (int i = 1; i <= 160; ++i) {
-    text += "network," + std::to_string(1000 * i) + ",,," + (i % 2 ? "0.25" : "0.75") + ",,,,,,\n";
+    text += "network," + std::to_string(1000 * i) + ",,," + (i % 2 ? "0.25" : "0.75") + ",,,,,,,,\n";
   }
   writeText(folder / "loss.csv", text);
   drawLosses(folder / "loss.csv");

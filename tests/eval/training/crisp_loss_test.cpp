@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "eval/training/distance_loss.h"
 #include "tests/eval/training/toy_samples.h"
 
 namespace hydrabench {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/shape/latent_flow/latent_grid.h"
 #include "core/types/random.h"
 #include "eval/training/training_world.h"
 
@@ -71,8 +72,27 @@ inline TrainingView toyView(std::uint32_t index, const TrainingShape& shape,
   return view;
 }
 
+/// The distance of toyShape() in a frame that is turned a little and off its middle.
+inline ShapeGrid toyGrid(const Eigen::Vector3f& half) {
+  ShapeGrid grid;
+  grid.frame.center = {0.05, -0.1, 0};
+  grid.frame.bearing = 0.2;
+  grid.frame.scale = 1.1;
+  grid.values.resize(kGridSide * kGridSide * kGridSide);
+  for (int z = 0; z < kGridSide; ++z) {
+    for (int y = 0; y < kGridSide; ++y) {
+      for (int x = 0; x < kGridSide; ++x) {
+        const Eigen::Vector3d p = grid.frame.toLevel(gridNode(x, y, z));
+        grid.values[gridIndex(x, y, z)] =
+            quantizedDistance(boxDistance(p.cast<float>(), half) / grid.frame.scale);
+      }
+    }
+  }
+  return grid;
+}
+
 /// One box of every class, each seen from three places: a training world that is ready at once.
-inline TrainingWorld toyWorld(std::uint64_t seed) {
+inline TrainingWorld toyWorld(std::uint64_t seed, int grids = 0) {
   const std::vector<Eigen::Vector3f> halves = {
       {0.5f, 0.7f, 1}, {0.6f, 0.5f, 1}, {0.5f, 1, 0.4f}, {0.5f, 0.5f, 1}};
   const std::vector<std::pair<std::string, int>> classes = {
@@ -82,6 +102,7 @@ inline TrainingWorld toyWorld(std::uint64_t seed) {
   for (std::uint32_t i = 0; i < 4; ++i) {
     world.shapes.push_back(
         toyShape(classes[i].first, classes[i].second, halves[i], random.fork(i)));
+    for (int k = 0; k < grids; ++k) world.shapes.back().grids.push_back(toyGrid(halves[i]));
     for (std::uint64_t k = 0; k < 3; ++k) {
       world.views.push_back(
           toyView(i, world.shapes.back(), halves[i], random.fork(100 + 10 * i + k)));
@@ -93,9 +114,9 @@ inline TrainingWorld toyWorld(std::uint64_t seed) {
 /// Puts toy worlds where a training that keeps its worlds in `cache` looks for its first of either
 /// split.
 inline void cacheToyWorlds(const std::filesystem::path& cache, const TrainingWorldConfig& config) {
-  writeTrainingWorld(cache / "train_000000.world", config, toyWorld(1));
-  writeTrainingWorld(cache / "train_000001.world", config, toyWorld(2));
-  writeTrainingWorld(cache / "val_000000.world", config, toyWorld(3));
+  writeTrainingWorld(cache / "train_000000.world", config, toyWorld(1, config.grid_frames));
+  writeTrainingWorld(cache / "train_000001.world", config, toyWorld(2, config.grid_frames));
+  writeTrainingWorld(cache / "val_000000.world", config, toyWorld(3, config.grid_frames));
 }
 
 }  // namespace hydrabench

@@ -25,11 +25,15 @@ void expectNear(const std::vector<Eigen::Vector3f>& a, const std::vector<Eigen::
 
 TEST(TrainingWorldFile, GivesBackWhatWasWrittenToAMillimetre) {
   const TemporaryFolder folder;
-  TrainingWorld world = toyWorld(4);
+  TrainingWorldConfig with_grids = config();
+  with_grids.grid_frames = 2;
+  TrainingWorld world = toyWorld(4, 2);
+  world.shapes[1].grids[1].frame.bearing = -1;
   world.views[1].points.cut = {1, 0, 0, 1};
   world.views[1].on_object[7] = 0;
-  writeTrainingWorld(folder / "a/b.world", config(), world);
-  const std::optional<TrainingWorld> read = readTrainingWorld(folder / "a/b.world", config());
+  writeTrainingWorld(folder / "a/b.world", with_grids, world);
+  EXPECT_FALSE(readTrainingWorld(folder / "a/b.world", config()));
+  const std::optional<TrainingWorld> read = readTrainingWorld(folder / "a/b.world", with_grids);
   ASSERT_TRUE(read);
   ASSERT_EQ(read->shapes.size(), world.shapes.size());
   ASSERT_EQ(read->views.size(), world.views.size());
@@ -43,6 +47,13 @@ TEST(TrainingWorldFile, GivesBackWhatWasWrittenToAMillimetre) {
     expectNear(a.points, b.points, 2.0f / 32767);
     for (std::size_t k = 0; k < a.distances.size(); ++k) {
       EXPECT_NEAR(a.distances[k], b.distances[k], 1.01f / 32767);
+    }
+    ASSERT_EQ(b.grids.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(a.grids[k].frame.center, b.grids[k].frame.center);
+      EXPECT_EQ(a.grids[k].frame.bearing, b.grids[k].frame.bearing);
+      EXPECT_EQ(a.grids[k].frame.scale, b.grids[k].frame.scale);
+      EXPECT_EQ(a.grids[k].values, b.grids[k].values);
     }
   }
   for (std::size_t i = 0; i < world.views.size(); ++i) {

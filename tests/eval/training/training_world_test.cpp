@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/parallel/parallel_for.h"
+#include "core/shape/latent_flow/latent_grid.h"
 #include "eval/simulation/office_labels.h"
 #include "eval/training/training_pool.h"
 #include "tests/eval/training/toy_world.h"
@@ -197,6 +198,36 @@ TEST_F(TrainingWorldOfAScene, IsTrueToTheSceneAndTheSameForAnyNumberOfThreads) {
   writeTrainingWorld(folder_ / "other", config_, makeTrainingWorld(config_, kTraining, 0));
   setNumThreads(0);
   EXPECT_TRUE(readText(folder_ / "other") == readText(folder_ / "train_000000.world"));
+}
+
+TEST(TrainingWorldWithGrids, HoldsTrueDistancesNearThePoseOfAllThatStandsThere) {
+  TrainingWorldConfig config = quickConfig();
+  config.objects = "all";
+  config.grid_frames = 2;
+  const TrainingWorld world = makeTrainingWorld(config, kTraining, 0);
+  const Scene scene =
+      makeOffice(trainingOffice(config, kTraining, 0), trainingWorldSeed(kTraining, 0));
+  ASSERT_EQ(world.shapes.size(), scene.objects.size());
+  std::set<std::string> classes;
+  for (std::size_t i = 0; i < world.shapes.size(); ++i) {
+    const TrainingShape& shape = world.shapes[i];
+    classes.insert(shape.class_name);
+    ASSERT_EQ(shape.grids.size(), 2u);
+    const SceneObject& object = scene.objects[i];
+    const Eigen::Vector3d center = bounds(object.surface->mesh).center();
+    for (const ShapeGrid& grid : shape.grids) {
+      EXPECT_LE(grid.frame.center.norm(), 0.5);
+      EXPECT_NEAR(std::log(grid.frame.scale), 0, 0.5);
+      for (int k = 0; k < kGridSide; ++k) {  // along a diagonal
+        const Eigen::Vector3d p = grid.frame.toLevel(gridNode(k, kGridSide - 1 - k, k));
+        const double distance = object.shape->sdf->value(center + shape.half_extent_m * p) /
+                                shape.half_extent_m / grid.frame.scale;
+        EXPECT_EQ(grid.values[gridIndex(k, kGridSide - 1 - k, k)], quantizedDistance(distance))
+            << shape.family << k;
+      }
+    }
+  }
+  EXPECT_TRUE(classes.count("desk") && classes.count("computer") && classes.count("chair"));
 }
 
 TrainingWorldConfig streetConfig() {
