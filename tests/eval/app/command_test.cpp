@@ -187,7 +187,7 @@ TEST_F(Command, EstimatesShapesFromSingleViews) {
   EXPECT_THAT(outcome.out, HasSubstr("chamfer_l1 [cm]"));
   EXPECT_THAT(outcome.out, HasSubstr("truth"));
   EXPECT_THAT(readText(folder_ / "views/views.csv"), HasSubstr("office_quick,1,truth,"));
-  EXPECT_THAT(readText(folder_ / "views/summary.csv"), HasSubstr("\ntruth,all,"));
+  EXPECT_THAT(readText(folder_ / "views/summary.csv"), HasSubstr("\noffice_quick,truth,all,"));
   EXPECT_THAT(readText(folder_ / "views/config.yaml"), HasSubstr("frame_step: 20"));
   expectFault(estimate, path("views"));
   expectFault(estimate + " --set views.min_pixls=3", "did you mean views.min_pixels?");
