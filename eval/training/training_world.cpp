@@ -98,12 +98,13 @@ ShapeGrid gridOf(const LocalFrame& frame,
 
 /// A leaning object as a shape of its own: object coordinates are upright, as are all estimates.
 /// @param mesh  in the object's frame, turned by `lean`
-TrainingShape shapeOf(const SceneObject& object, const Mesh& mesh, const Eigen::Matrix3d& lean,
-                      const TrainingWorldConfig& config, int grid_frames, Random random) {
+TrainingShape shapeOf(const SceneObject& object, const std::string& class_name, const Mesh& mesh,
+                      const Eigen::Matrix3d& lean, const TrainingWorldConfig& config,
+                      int grid_frames, Random random) {
   const Aabb box = bounds(mesh);
   TrainingShape shape;
   shape.family = object.subtype;
-  shape.class_name = shapeFamily(object.subtype).class_name;
+  shape.class_name = class_name;
   shape.yaw_symmetry = shape.class_name == "plant" ? 0 : object.shape->yaw_symmetry;
   const Eigen::Vector3d center = box.center();
   double half = 0.5 * box.sizes().maxCoeff();
@@ -173,7 +174,7 @@ Shapes collectShapes(const Scene& scene, const TrainingWorldConfig& config, Rand
     Transform turned = Transform::Identity();
     turned.linear() = lean;
     const Mesh mesh = transformed(turned, object.surface->mesh);
-    result.shapes[k] = shapeOf(object, mesh, lean, config,
+    result.shapes[k] = shapeOf(object, scene.label_space.nameOf(object.label), mesh, lean, config,
                                same_as[k] == k ? config.grid_frames : 0, random.fork(chosen[k]));
   });
   for (std::size_t k = 0; k < chosen.size(); ++k) {

@@ -112,20 +112,24 @@ TEST(LatentFlowEstimator, GivesTheSameMeshForAnyNumberOfThreads) {
   config.steps = 3;
   config.pose_samples = 2;
   config.mesh.resolution = 32;
-  // Random weights: whatever comes out, it is the same.
-  const std::shared_ptr<const LatentFlowModel> model = makeLatentFlowModel(toyNetwork(5), "cpu");
-  const LatentFlowEstimator estimator(model, config);
-  std::vector<ShapeOutcome> outcomes;
-  for (const int threads : {1, 2}) {
-    setNumThreads(threads);
-    outcomes.push_back(estimator.estimate(viewOfABall(), {}, 9));
+  // Random weights: of a few networks some draw a surface, and it is the same.
+  int compared = 0;
+  for (std::uint64_t weights = 1; weights <= 12; ++weights) {
+    const LatentFlowEstimator estimator(makeLatentFlowModel(toyNetwork(weights), "cpu"), config);
+    std::vector<ShapeOutcome> outcomes;
+    for (const int threads : {1, 2}) {
+      setNumThreads(threads);
+      outcomes.push_back(estimator.estimate(viewOfABall(), {}, 9));
+    }
+    setNumThreads(0);
+    ASSERT_EQ(outcomes[0].failure, outcomes[1].failure);
+    if (!outcomes[0].estimate) continue;
+    ++compared;
+    EXPECT_EQ(outcomes[0].estimate->mesh.vertices, outcomes[1].estimate->mesh.vertices);
+    EXPECT_EQ(outcomes[0].estimate->T_camera_object.matrix(),
+              outcomes[1].estimate->T_camera_object.matrix());
   }
-  setNumThreads(0);
-  ASSERT_EQ(outcomes[0].failure, outcomes[1].failure);
-  ASSERT_TRUE(outcomes[0].estimate) << outcomes[0].failure;
-  EXPECT_EQ(outcomes[0].estimate->mesh.vertices, outcomes[1].estimate->mesh.vertices);
-  EXPECT_EQ(outcomes[0].estimate->T_camera_object.matrix(),
-            outcomes[1].estimate->T_camera_object.matrix());
+  EXPECT_GE(compared, 1);
 }
 
 TEST(LatentFlowEstimator, MayHaveItsScaleCorrectedByDepth) {
