@@ -40,12 +40,12 @@ struct LatentFlowTrainingConfig {
   };
   Source rooms;    ///< offices with all that stands in them
   Source streets;  ///< streets with all that stands there
-  /// Every class of the generators: how often a view of it is drawn.
+  /// Every class of what stands in rooms and streets, by its label: how often a view of it is
+  /// drawn.
   std::map<std::string, double> class_weights = {
-      {"bench", 1},   {"bin", 1.2},    {"bollard", 0.2},   {"cabinet", 0.7},    {"car", 1},
-      {"chair", 2},   {"computer", 3}, {"couch", 1.2},     {"cubicle", 0.1},    {"desk", 0.7},
-      {"plant", 1.2}, {"pole", 0},     {"shelf", 0.7},     {"fire_hydrant", 1}, {"sign", 0.2},
-      {"table", 0.9}, {"tree", 0},     {"whiteboard", 0.1}};
+      {"bench", 1},   {"bin", 1.2},    {"bollard", 0.2},    {"cabinet", 1.2}, {"car", 1},
+      {"chair", 2},   {"computer", 3}, {"couch", 1.2},      {"cubicle", 0.1}, {"desk", 1.2},
+      {"plant", 1.2}, {"sign", 0.2},   {"fire_hydrant", 1}, {"lamp_pole", 0}, {"tree", 0}};
 
   LatentFlowSizes network;
   struct Autoencoder : FlowPhaseConfig {

@@ -98,12 +98,13 @@ ShapeGrid gridOf(const LocalFrame& frame,
 
 /// A leaning object as a shape of its own: object coordinates are upright, as are all estimates.
 /// @param mesh  in the object's frame, turned by `lean`
-TrainingShape shapeOf(const SceneObject& object, const Mesh& mesh, const Eigen::Matrix3d& lean,
-                      const TrainingWorldConfig& config, Random random) {
+TrainingShape shapeOf(const SceneObject& object, const std::string& class_name, const Mesh& mesh,
+                      const Eigen::Matrix3d& lean, const TrainingWorldConfig& config,
+                      int grid_frames, Random random) {
   const Aabb box = bounds(mesh);
   TrainingShape shape;
   shape.family = object.subtype;
-  shape.class_name = shapeFamily(object.subtype).class_name;
+  shape.class_name = class_name;
   shape.yaw_symmetry = shape.class_name == "plant" ? 0 : object.shape->yaw_symmetry;
   const Eigen::Vector3d center = box.center();
   double half = 0.5 * box.sizes().maxCoeff();
@@ -135,7 +136,7 @@ TrainingShape shapeOf(const SceneObject& object, const Mesh& mesh, const Eigen::
     shape.points.push_back(p.cast<float>());
     shape.distances.push_back(static_cast<float>(std::clamp(distance(p), -0.5, 0.5)));
   }
-  for (int i = 0; i < config.grid_frames; ++i) {
+  for (int i = 0; i < grid_frames; ++i) {
     shape.grids.push_back(gridOf(drawFrame(shape.yaw_symmetry, random), distance));
   }
   return shape;
@@ -157,6 +158,15 @@ Shapes collectShapes(const Scene& scene, const TrainingWorldConfig& config, Rand
     const Eigen::Matrix3d R = object.T_world_object.linear();
     result.yaws.push_back(std::atan2(R(1, 0), R(0, 0)));
   }
+  // Desks of one island share their shape, and so their grids.
+  std::vector<std::size_t> same_as(chosen.size());
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const SceneObject& object = scene.objects[chosen[k]];
+    while (scene.objects[chosen[same_as[k]]].shape != object.shape ||
+           leanOf(scene.objects[chosen[same_as[k]]]) != leanOf(object)) {
+      ++same_as[k];
+    }
+  }
   result.shapes.resize(chosen.size());
   parallelFor(chosen.size(), [&](std::size_t k) {
     const SceneObject& object = scene.objects[chosen[k]];
@@ -164,8 +174,12 @@ Shapes collectShapes(const Scene& scene, const TrainingWorldConfig& config, Rand
     Transform turned = Transform::Identity();
     turned.linear() = lean;
     const Mesh mesh = transformed(turned, object.surface->mesh);
-    result.shapes[k] = shapeOf(object, mesh, lean, config, random.fork(chosen[k]));
+    result.shapes[k] = shapeOf(object, scene.label_space.nameOf(object.label), mesh, lean, config,
+                               same_as[k] == k ? config.grid_frames : 0, random.fork(chosen[k]));
   });
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    result.shapes[k].grids = result.shapes[same_as[k]].grids;
+  }
   return result;
 }
 

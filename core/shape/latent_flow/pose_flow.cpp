@@ -11,7 +11,7 @@ namespace nn = torch::nn;
 PoseFlowImpl::PoseFlowImpl(const Options& options) : options_(options) {
   const int dim = options.dim;
   view_ = register_module("view", PointEncoder(options.view));
-  in_ = register_module("in", nn::Linear(PoseTokens::kWidth, dim));
+  in_ = register_module("input", nn::Linear(PoseTokens::kWidth, dim));
   summary_ = register_module("summary", nn::Linear(options.view.dim, dim));
   kinds_ = register_parameter("kinds", 0.02 * torch::randn({PoseTokens::kTokens, dim}));
   time_ = register_module("time", TimeEmbedding(dim));
@@ -24,7 +24,9 @@ PoseFlowImpl::PoseFlowImpl(const Options& options) : options_(options) {
 
 torch::Tensor PoseFlowImpl::forward(const torch::Tensor& pose, const torch::Tensor& time,
                                     const torch::Tensor& view) {
-  const torch::Tensor modulation = (time_(time) + summary_(view.select(1, 0))).to(torch::kFloat32);
+  const torch::Tensor summary =
+      summary_(view.select(1, 0)).repeat_interleave(pose.size(0) / view.size(0), 0);
+  const torch::Tensor modulation = (time_(time) + summary).to(torch::kFloat32);
   torch::Tensor tokens = in_(pose).to(torch::kFloat32) + kinds_;
   for (const auto& block : *blocks_) {
     tokens = block->as<FlowBlock>()->forward(tokens, modulation, view);

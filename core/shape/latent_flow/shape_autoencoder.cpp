@@ -39,7 +39,7 @@ torch::Tensor fromBlocks(const torch::Tensor& blocks, int side) {
 ShapeAutoencoderImpl::ShapeAutoencoderImpl(const Options& options) : options_(options) {
   const int dim = options.dim;
   const auto norm = nn::LayerNormOptions({dim}).eps(1e-6);
-  in_ = register_module("in", nn::Linear(kNodes, dim));
+  in_ = register_module("input", nn::Linear(kNodes, dim));
   position_ = register_parameter("position", 0.02 * torch::randn({2, kShapeTokens, dim}));
   encoder_ = register_module("encoder", nn::ModuleList());
   for (int i = 0; i < options.encoder_depth; ++i) {

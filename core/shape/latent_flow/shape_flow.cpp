@@ -10,7 +10,7 @@ namespace nn = torch::nn;
 
 ShapeFlowImpl::ShapeFlowImpl(const Options& options) : options_(options) {
   const int dim = options.dim;
-  in_ = register_module("in", nn::Linear(options.latent, dim));
+  in_ = register_module("input", nn::Linear(options.latent, dim));
   cells_ = register_module("cells", nn::Sequential(nn::Linear(ViewGrid::kBlockFeatures, dim),
                                                    nn::GELU(), nn::Linear(dim, dim)));
   globals_ = register_module("globals", nn::Sequential(nn::Linear(ViewGrid::kGlobals, 64),

@@ -34,18 +34,18 @@ TEST_F(FlowPoolOfToys, DrawsTheSameTwiceAndClassesByTheirWeight) {
   EXPECT_EQ(pool.shapes().size(), 4u);  // two worlds, one chair and one couch each
   EXPECT_EQ(pool.grids(), 1);
   int chairs = 0;
-  for (std::uint64_t i = 0; i < 1000; ++i) {
+  for (std::uint64_t i = 0; i < 300; ++i) {
     const LatentSample sample = pool.drawLatent(true, Random(i));
     chairs += pool.shapes()[sample.latent].shape->class_name == "chair";
     EXPECT_EQ(sample.view.cells, pool.drawLatent(true, Random(i)).view.cells);
   }
-  EXPECT_NEAR(chairs / 1000.0, 0.75, 0.05);
+  EXPECT_NEAR(chairs / 300.0, 0.75, 0.08);
 }
 
 TEST_F(FlowPoolOfToys, PosesAreThoseOfTheObjectUnderAnyOfItsSymmetries) {
   const FlowPool pool = this->pool();
   std::set<std::pair<std::string, int>> turns;
-  for (std::uint64_t i = 0; i < 400; ++i) {
+  for (std::uint64_t i = 0; i < 150; ++i) {
     const PoseSample sample = pool.drawPose(false, Random(i));
     const LocalFrame frame = fromPoseTokens(sample.pose, sample.input.frame);
     // Find the view it was drawn from by its centre.
@@ -90,7 +90,7 @@ TEST_F(FlowPoolOfToys, DistancesAreThoseOfTheGridsFrame) {
       const double near =
           kTruncation / 127 * sample.grid->values[gridIndex(node.x(), node.y(), node.z())];
       const double expected = std::clamp<double>(sample.distances[k], -kTruncation, kTruncation);
-      EXPECT_NEAR(near, expected, 0.87 * kGridCell);
+      EXPECT_NEAR(near, expected, 0.9 * kGridCell);
     }
   }
 }

@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/types/error.h"
-#include "eval/simulation/shape_family.h"
+#include "eval/simulation/campus_labels.h"
+#include "eval/simulation/office_labels.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hydrabench {
@@ -27,12 +28,16 @@ std::string faultOf(const std::string& yaml) {
   return messageOf<InputError>([&] { readConfig(yaml); });
 }
 
-TEST(LatentFlowTrainingConfig, KnowsEveryClassOfTheGenerators) {
+TEST(LatentFlowTrainingConfig, KnowsEveryScoredClassAndComputersWhichCrispNeverSaw) {
   const LatentFlowTrainingConfig config;
-  for (const ShapeFamily& family : shapeFamilies()) {
-    EXPECT_EQ(config.class_weights.count(family.class_name), 1u) << family.class_name;
+  for (const LabelSpace& space : {officeLabelSpace(true), campusLabelSpace()}) {
+    for (const LabelSpace::Entry& entry : space.entries) {
+      if (!entry.is_scored) continue;
+      ASSERT_EQ(config.class_weights.count(entry.name), 1u) << entry.name;
+      EXPECT_GT(config.class_weights.at(entry.name), 0) << entry.name;
+    }
   }
-  EXPECT_GT(config.class_weights.at("computer"), 0);  // what CRISP never saw
+  EXPECT_GT(config.class_weights.at("computer"), 0);
 }
 
 TEST(LatentFlowTrainingConfig, ReadsNestedKeys) {

@@ -29,7 +29,7 @@ class BallModel : public LatentFlowModel {
   double scale = kBallRadius;
   SdfField field = [](std::span<const Eigen::Vector3f> points, std::span<float> values) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      values[i] = std::min(points[i].norm() - 0.9f,
+      values[i] = std::min(points[i].norm() - 0.95f,
                            (points[i] - Eigen::Vector3f(0.9f, 0, 0)).norm() - 0.2f);
     }
   };
@@ -70,9 +70,9 @@ TEST(LatentFlowEstimator, PlacesTheShapeUprightWhereItsFrameIs) {
   // The bump reaches to 1.1 along x of the object, and no other side does.
   const Aabb box = bounds(estimate.mesh);
   EXPECT_NEAR(box.max().x(), 1.1, 0.02);
-  EXPECT_NEAR(box.min().x(), -0.9, 0.02);
-  EXPECT_NEAR(box.max().z(), 0.9, 0.02);
-  EXPECT_GE(estimate.inlier_ratio, 0.9);  // the measured ball has a radius of 1, this one of 0.9
+  EXPECT_NEAR(box.min().x(), -0.95, 0.02);
+  EXPECT_NEAR(box.max().z(), 0.95, 0.02);
+  EXPECT_GE(estimate.inlier_ratio, 0.9);  // the measured ball has a radius of 1, this one of 0.95
 }
 
 TEST(LatentFlowEstimator, HandsItsKeysOn) {
@@ -112,26 +112,29 @@ TEST(LatentFlowEstimator, GivesTheSameMeshForAnyNumberOfThreads) {
   config.steps = 3;
   config.pose_samples = 2;
   config.mesh.resolution = 32;
-  // Random weights: whatever comes out, it is the same.
-  const std::shared_ptr<const LatentFlowModel> model = makeLatentFlowModel(toyNetwork(5), "cpu");
-  const LatentFlowEstimator estimator(model, config);
-  std::vector<ShapeOutcome> outcomes;
-  for (const int threads : {1, 2}) {
-    setNumThreads(threads);
-    outcomes.push_back(estimator.estimate(viewOfABall(), {}, 9));
+  // Random weights: of a few networks some draw a surface, and it is the same.
+  int compared = 0;
+  for (std::uint64_t weights = 1; weights <= 12; ++weights) {
+    const LatentFlowEstimator estimator(makeLatentFlowModel(toyNetwork(weights), "cpu"), config);
+    std::vector<ShapeOutcome> outcomes;
+    for (const int threads : {1, 2}) {
+      setNumThreads(threads);
+      outcomes.push_back(estimator.estimate(viewOfABall(), {}, 9));
+    }
+    setNumThreads(0);
+    ASSERT_EQ(outcomes[0].failure, outcomes[1].failure);
+    if (!outcomes[0].estimate) continue;
+    ++compared;
+    EXPECT_EQ(outcomes[0].estimate->mesh.vertices, outcomes[1].estimate->mesh.vertices);
+    EXPECT_EQ(outcomes[0].estimate->T_camera_object.matrix(),
+              outcomes[1].estimate->T_camera_object.matrix());
   }
-  setNumThreads(0);
-  ASSERT_EQ(outcomes[0].failure, outcomes[1].failure);
-  ASSERT_TRUE(outcomes[0].estimate) << outcomes[0].failure;
-  EXPECT_EQ(outcomes[0].estimate->mesh.vertices, outcomes[1].estimate->mesh.vertices);
-  EXPECT_EQ(outcomes[0].estimate->T_camera_object.matrix(),
-            outcomes[1].estimate->T_camera_object.matrix());
+  EXPECT_GE(compared, 1);
 }
 
 TEST(LatentFlowEstimator, MayHaveItsScaleCorrectedByDepth) {
   auto model = std::make_shared<BallModel>();
-  model->scale =
-      0.5 * kBallRadius;  // half as large and, seen from the camera, as far: a wrong scale
+  model->scale = 0.7 * kBallRadius;  // smaller, in the same place
   model->field = [](std::span<const Eigen::Vector3f> points, std::span<float> values) {
     for (std::size_t i = 0; i < points.size(); ++i) values[i] = points[i].norm() - 1;
   };
@@ -141,8 +144,8 @@ TEST(LatentFlowEstimator, MayHaveItsScaleCorrectedByDepth) {
   const ShapeOutcome outcome = ScaleAligned(plain, alignment).estimate(viewOfABall(), {}, 1);
   ASSERT_TRUE(outcome.estimate) << outcome.failure;
   // The nearer half of the small ball is rendered deeper than measured: the factor pulls it nearer.
-  EXPECT_LT(outcome.estimate->scale, 0.5 * kBallRadius);
-  EXPECT_NEAR(outcome.estimate->scale / (0.5 * kBallRadius),
+  EXPECT_LT(outcome.estimate->scale, 0.7 * kBallRadius);
+  EXPECT_NEAR(outcome.estimate->scale / (0.7 * kBallRadius),
               outcome.estimate->T_camera_object.translation().norm() / kBallCenter.norm(), 1e-9);
 }
 

@@ -28,7 +28,7 @@ double plate(const Eigen::Vector3d& p) {
     const Eigen::Vector3d d = (p - center).cwiseAbs() - half;
     return d.cwiseMax(0).norm() + std::min(d.maxCoeff(), 0.0);
   };
-  return std::min(box({0, 0, 0.2}, {0.02, 0.8, 0.6}), box({0, 0, -0.7}, {0.3, 0.3, 0.1}));
+  return std::min(box({0, 0, 0.2}, {0.03, 0.8, 0.6}), box({0, 0, -0.7}, {0.3, 0.3, 0.1}));
 }
 
 torch::Tensor gridOfThePlate() {
@@ -113,7 +113,7 @@ TEST(ShapeAutoencoder, LearnsOneShapeByHeartItsThinPartIncluded) {
         .mean();
   };
   const double before = error(1000).item<double>();
-  for (int step = 0; step < 250; ++step) {
+  for (int step = 0; step < 900; ++step) {
     optimizer.zero_grad();
     error(300).backward();
     optimizer.step();
