@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/parallel/parallel_for.h"
+#include "core/types/error.h"
 #include "eval/simulation/campus_labels.h"
 #include "eval/simulation/campus_objects.h"
 #include "eval/simulation/ground_pose.h"
@@ -112,8 +113,8 @@ Heading carIn(const Lane& lane, const CampusLoop& loop, double along_m, double w
 
 void addCars(const CampusConfig& config, const CampusTerrain& terrain, std::uint64_t seed,
              std::int64_t end_ns, Scene& scene) {
-  constexpr std::uint64_t kDraws = 12;
-  constexpr double kWheelbase = 0.6;  // share of the length
+  constexpr std::uint64_t kDraws = 128;  // between parked cars a dozen may all be too wide
+  constexpr double kWheelbase = 0.6;     // share of the length
   constexpr double kRoad_m = CampusTerrain::kRoadHalfWidth_m;
   const Strip strip = freePart({-kRoad_m, kRoad_m}, kCarHeight_m, terrain, scene);
   Random draw = Random(seed).fork(kCarLane);
@@ -141,7 +142,14 @@ void addCars(const CampusConfig& config, const CampusTerrain& terrain, std::uint
       return;
     }
   });
-  std::erase_if(cars, [](const Mover& car) { return car.parts.empty(); });
+  const auto missing =
+      std::count_if(cars.begin(), cars.end(), [](const Mover& car) { return car.parts.empty(); });
+  if (missing > 0) {
+    throw InputError(fmt::format(
+        "campus.movers.cars: {}, but {} of them are wider than the {:.2f} m that parked cars leave "
+        "of the road; expected 0 for this seed",
+        count, missing, strip.width()));
+  }
   for (std::size_t i = 0; i < cars.size(); ++i)
     cars[i].name = fmt::format("car_moving_{:03d}", i + 1);
   std::move(cars.begin(), cars.end(), std::back_inserter(scene.movers));
