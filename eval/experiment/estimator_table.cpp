@@ -53,11 +53,8 @@ EstimatorStart readOracle(ConfigReader&) {
 }
 
 constexpr EstimatorType kTypes[] = {
-    {"crisp", readCrisp},
-    {"latent_flow", readLatentFlow},
-    {"sidecar", readSidecar},
-    {"template", readTemplate},
-    {"oracle", readOracle},
+    {"crisp", readCrisp},       {"latent_flow", readLatentFlow}, {"sidecar", readSidecar},
+    {"template", readTemplate}, {"oracle", readOracle},
 };
 
 }  // namespace
