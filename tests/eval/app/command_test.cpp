@@ -67,9 +67,9 @@ TEST_F(Command, TeachesWithoutArguments) {
 }
 
 TEST_F(Command, HelpsForEverySubcommand) {
-  for (const std::string name :
-       {"doctor", "selftest", "view", "export", "run", "map", "evaluate", "report", "sweep",
-        "status", "work", "compare", "estimate", "stream", "train", "templates", "defaults", "version"}) {
+  for (const std::string name : {"doctor", "selftest", "view", "export", "run", "map", "evaluate",
+                                 "report", "sweep", "status", "work", "compare", "estimate",
+                                 "stream", "train", "templates", "defaults", "version"}) {
     const Outcome outcome = run(name + " --help");
     EXPECT_EQ(outcome.exit_code, 0) << name;
     EXPECT_THAT(outcome.out, HasSubstr("Usage: hydrabench " + name)) << name;

@@ -38,7 +38,8 @@ TEST(LossPlot, TakesTheMeanOfNeighboursWhereThereAreMany) {
   const TemporaryFolder folder;
   std::string text = kHeader;
   for (int i = 1; i <= 160; ++i) {
-    text += "network," + std::to_string(1000 * i) + ",,," + (i % 2 ? "0.25" : "0.75") + ",,,,,,,,\n";
+    text +=
+        "network," + std::to_string(1000 * i) + ",,," + (i % 2 ? "0.25" : "0.75") + ",,,,,,,,\n";
   }
   writeText(folder / "loss.csv", text);
   drawLosses(folder / "loss.csv");
