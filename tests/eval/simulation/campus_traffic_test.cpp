@@ -29,8 +29,11 @@ SimulatedConfig movingCampus(int cars, int pedestrians, const std::string& prese
   return config;
 }
 
+constexpr int kCars = 3;
+constexpr int kPeople = 8;
+
 const SimulatedDataset& moving() {
-  static const SimulatedDataset dataset(movingCampus(8, 24, "clean"));
+  static const SimulatedDataset dataset(movingCampus(kCars, kPeople, "clean"));
   return dataset;
 }
 const SimulatedDataset& still() {
@@ -59,8 +62,8 @@ std::vector<std::int64_t> someTimes() {
 
 TEST(CampusTraffic, HasTheMoversThatWereAskedForAndTheClassOfPeople) {
   const Scene& scene = moving().scene();
-  EXPECT_EQ(std::count_if(scene.movers.begin(), scene.movers.end(), isCar), 8);
-  EXPECT_EQ(scene.movers.size(), 32u);
+  EXPECT_EQ(std::count_if(scene.movers.begin(), scene.movers.end(), isCar), kCars);
+  EXPECT_EQ(scene.movers.size(), static_cast<std::size_t>(kCars + kPeople));
   const LabelSpace::Entry* human = scene.label_space.find("human");
   ASSERT_TRUE(human);
   EXPECT_FALSE(human->is_object);
@@ -207,7 +210,7 @@ TEST(CampusTraffic, ChangesNothingButWhatIsSeenOfIt) {
 TEST(CampusTraffic, IsSeenInFramesAndSweepsTheSameForAnyNumberOfThreads) {
   const auto framesOf = [](int num_threads) {
     setNumThreads(num_threads);
-    const SimulatedDataset dataset(movingCampus(6, 60));
+    const SimulatedDataset dataset(movingCampus(2, 20));
     std::vector<Frame> frames;
     for (const std::size_t index : {20u, 150u, 280u}) frames.push_back(dataset.frame(index));
     setNumThreads(0);
