@@ -30,7 +30,7 @@ SimulatedConfig movingCampus(int cars, int pedestrians, const std::string& prese
 }
 
 constexpr int kCars = 3;
-constexpr int kPeople = 8;
+constexpr int kPeople = 16;
 
 const SimulatedDataset& moving() {
   static const SimulatedDataset dataset(movingCampus(kCars, kPeople, "clean"));
