@@ -95,7 +95,7 @@ Command addRun(CLI::App& app) {
   addExecution(app, options->execution);
   app.add_flag("--count-instructions", options->execution.count_instructions,
                "count the instructions of every frame instead of timing it (valgrind, one thread, "
-               "some 50 times slower): what 'compare' tells apart on any busy machine");
+               "many times slower): what 'compare' tells apart on any busy machine");
   app.footer(
       "Keys: dataset.KEY for every dataset, methods.NAME.KEY for a method, evaluation.KEY,\n"
       "datasets.0.seeds=[1,2] and the like for the experiment itself.\n"

@@ -12,7 +12,7 @@ namespace hydrabench {
 /// Counts the machine instructions that this process executes: a cost of a program that nothing
 /// else on the machine disturbs, unlike its time. It needs a process that was started behind
 /// launcher(): valgrind executes it (tool callgrind), one thread at a time and a few times slower,
-/// while counted some 50 times slower.
+/// many times slower while it counts.
 class InstructionCounter {
  public:
   /// What goes before the command of a process that is to count.
