@@ -198,6 +198,13 @@ ExperimentConfig readExperiment(const std::filesystem::path& config,
   ConfigDocument document = ConfigDocument::fromFile(config);
   for (const std::string& assignment : overrides.experiment) document.set(assignment);
   ConfigReader reader(document);
+  if (!reader.has("methods") && (reader.has("estimators") || reader.has("experiment"))) {
+    const bool estimates = reader.has("estimators");
+    throw InputError(
+        fmt::format("{0}: a {1}, expected an experiment with methods; 'hydrabench {2} {0}' runs it",
+                    config.string(), estimates ? "study of shape estimators" : "sweep",
+                    estimates ? "estimate" : "sweep"));
+  }
 
   ExperimentConfig experiment;
   experiment.name = config.stem().string();

@@ -251,6 +251,11 @@ SingleViewStudy readSingleViewStudy(const std::filesystem::path& config,
     }
   }
   ConfigReader reader(document);
+  if (reader.has("methods") && !reader.has("estimators")) {
+    throw InputError(fmt::format(
+        "{0}: an experiment, expected a study of shape estimators; 'hydrabench run {0}' runs it",
+        config.string()));
+  }
   SingleViewStudy study;
   study.name = config.stem().string();
   reader.field("name", study.name);

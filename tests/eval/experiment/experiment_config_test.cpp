@@ -114,6 +114,11 @@ TEST(ExperimentConfig, ASeedBesideAListOfSeedsIsAContradiction) {
               HasSubstr("set datasets.0.seeds"));
 }
 
+TEST(ExperimentConfig, AnotherKindOfStudyNamesItsCommand) {
+  EXPECT_THAT(faultOf(kConfigs + "/studies/timing.yaml"), HasSubstr("'hydrabench estimate "));
+  EXPECT_THAT(faultOf(kConfigs + "/sweeps/d_extra.yaml"), HasSubstr("'hydrabench sweep "));
+}
+
 TEST(ExperimentConfig, EveryShippedExperimentIsReadable) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kConfigs + "/experiments")) {

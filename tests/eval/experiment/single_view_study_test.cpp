@@ -105,6 +105,15 @@ TEST(SingleViewStudy, SaysWhatIsWrongWithItsFile) {
   EXPECT_THAT(faultOf(kOracle, "vews: {}\n"), HasSubstr("views"));
 }
 
+TEST(SingleViewStudy, AnExperimentNamesItsCommand) {
+  try {
+    readSingleViewStudy(kConfigs + "/experiments/campus.yaml");
+    ADD_FAILURE() << "an experiment was read as a study";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'hydrabench run "));
+  }
+}
+
 TEST(SingleViewStudy, TheOracleIsExactWhateverOdometrySaysAndAnEstimatorThatFailsFails) {
   const TemporaryFolder folder;
   SingleViewStudy study = readSingleViewStudy(studyFile(folder, kOracle), kSmall);
