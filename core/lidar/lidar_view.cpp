@@ -15,10 +15,13 @@ namespace {
 constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 constexpr std::int32_t kNoPixel = -1;
 
+double rowOf(const LidarModel& lidar, const Eigen::Vector3f& p) {
+  return (lidar.top_rad - std::atan2(p.z(), std::hypot(p.x(), p.y()))) * lidar.rowsPerRadian();
+}
+
 /// Pixel of a point in an image of the model's rows and columns; kNoPixel beyond its rows.
 std::int32_t pixelOf(const LidarModel& lidar, const Eigen::Vector3f& p) {
-  const double flat = std::hypot(p.x(), p.y());
-  const double row = (lidar.top_rad - std::atan2(p.z(), flat)) * lidar.rowsPerRadian();
+  const double row = rowOf(lidar, p);
   const double column = (std::numbers::pi - std::atan2(p.y(), p.x())) * lidar.columnsPerRadian();
   const auto v = static_cast<int>(std::floor(row + 0.5));
   if (v < 0 || v >= lidar.rows) return kNoPixel;
@@ -84,6 +87,11 @@ LidarView::LidarView(const LidarScan& scan, const Points& points, double min_ran
     ground_ = picture<std::uint8_t>(
         nearest, [&](std::uint32_t i) { return points.ground[i] == GroundClass::kGround; });
     view_.ground = &ground_;
+    row_offset_ = picture<float>(nearest, [&](std::uint32_t i) {
+      const double row = rowOf(scan.lidar, points.points[i]);
+      return row - std::floor(row + 0.5);
+    });
+    view_.row_offset = &row_offset_;
   }
   if (!points.moving.empty()) {
     mask_ = picture<std::uint8_t>(nearest, [&](std::uint32_t i) { return points.moving[i]; });

@@ -37,6 +37,7 @@ class LidarView {
   Image<std::uint8_t> uncolored_;
   Image<std::uint8_t> ground_;
   Image<std::uint8_t> mask_;
+  Image<float> row_offset_;
   SensorView view_;  ///< points to the images
 };
 

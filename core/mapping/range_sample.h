@@ -69,23 +69,46 @@ class RangeSampler {
   struct GroundPlane {
     float height = 0;    ///< of the sensor above it [m]
     float farthest = 0;  ///< the larger range of the two rows [m]
+    float gap = 0;       ///< between the ranges of the two rows [m]
   };
   /// On the ground between two rows, as if it were a plane there: 1/range is a straight line in the
-  /// angle. False unless both rows next to v measured ground in the column next to u.
+  /// angle. False unless both rows next to v measured ground in the column next to u, farther apart
+  /// than min_gap.
   /// @param ground     pixels other than 0 see ground
+  /// @param offset     see SensorView::row_offset; null: no ray is off
   /// @param row_angle  between two rows [rad]
-  bool betweenRows(float u, float v, const Image<std::uint8_t>& ground, float row_angle,
-                   RangeSample& sample, GroundPlane& plane) const {
+  bool betweenRows(float u, float v, const Image<std::uint8_t>& ground, const Image<float>* offset,
+                   float row_angle, float min_gap, RangeSample& sample, GroundPlane& plane) const {
     if (v < 0.0f || v >= static_cast<float>(v_max_)) return false;
     const int u0 = std::min(static_cast<int>(u + 0.5f), u_max_);
-    const int v0 = static_cast<int>(v);
+    const auto rayOf = [&](int row) {
+      return static_cast<float>(row) + (offset ? offset->data()[index(u0, row)] : 0.0f);
+    };
+    int v0 = static_cast<int>(v);
+    if (v < rayOf(v0)) {
+      --v0;
+    } else if (v > rayOf(v0 + 1)) {
+      ++v0;
+    }
+    int v1 = v0 + 1;
+    const auto isLost = [&](int row) {
+      return row >= 0 && row <= v_max_ && range_[index(u0, row)] == 0.0f;
+    };
+    for (int lost = 0; lost < kMostLost && isLost(v0); ++lost) --v0;
+    for (int lost = 0; lost < kMostLost && isLost(v1); ++lost) ++v1;
+    if (v0 < 0 || v1 > v_max_) return false;
     const std::size_t upper = index(u0, v0);
-    const std::size_t lower = index(u0, v0 + 1);
+    const std::size_t lower = index(u0, v1);
     const float upper_range = range_[upper];
     const float lower_range = range_[lower];
     if (upper_range == 0.0f || lower_range == 0.0f) return false;
     if (ground.data()[upper] == 0 || ground.data()[lower] == 0) return false;
-    const float dv = v - static_cast<float>(v0);
+    plane.gap = std::abs(upper_range - lower_range);
+    if (plane.gap < min_gap) return false;
+    const float first = rayOf(v0);
+    const float rows = rayOf(v1) - first;
+    if (v < first || v > first + rows || rows < kLeastRows) return false;
+    const float dv = (v - first) / rows;
     sample.count = 2;
     sample.pixels[0] = upper;
     sample.pixels[1] = lower;
@@ -94,14 +117,17 @@ class RangeSampler {
     sample.range = 1 / ((1 - dv) / upper_range + dv / lower_range);
     plane.farthest = std::max(upper_range, lower_range);
     // Twice the area of the triangle of the sensor and both places, over its base on the ground.
-    const float difference = upper_range - lower_range;
-    const float product = upper_range * lower_range * row_angle;
-    const float base = std::sqrt(difference * difference + product * row_angle);
+    const float angle = rows * row_angle;
+    const float product = upper_range * lower_range * angle;
+    const float base = std::sqrt(plane.gap * plane.gap + product * angle);
     plane.height = product / base;
     return true;
   }
 
  private:
+  static constexpr float kLeastRows = 0.1f;  ///< nearer rays tell no plane
+  static constexpr int kMostLost = 3;        ///< rows without a return, as grazing ones often are
+
   std::size_t index(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(u);

@@ -53,6 +53,10 @@ struct SensorView {
   const Image<std::uint8_t>* mask = nullptr;
   /// Pixels other than 0 see ground: see TsdfIntegrator.
   const Image<std::uint8_t>* ground = nullptr;
+  /// Of a lidar: how far below the middle of its row the ray of a pixel points, from -0.5 to 0.5
+  /// rows; its lasers are not at equal angles. On the ground 20 m away half a row is 7 cm of
+  /// height.
+  const Image<float>* row_offset = nullptr;
 };
 
 /// Ranges from the z-depth of a frame. Points to the frame's colours and labels, empty images

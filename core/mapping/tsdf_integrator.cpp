@@ -83,6 +83,7 @@ class FrameUpdate {
         ground_weight_(static_cast<float>(config.ground_band.weight)),
         between_rows_(view.lidar && view.ground && config.ground_band.extra_m > 0 &&
                       config.ground_band.between_rows),
+        ground_limit_(static_cast<float>(config.ground_band.max_range_m)),
         row_angle_(view.lidar ? static_cast<float>(1 / view.lidar->rowsPerRadian()) : 0),
         behind_(truncation_ +
                 (view.ground ? static_cast<float>(config.ground_band.extra_m) : 0.0f)) {
@@ -194,13 +195,21 @@ class FrameUpdate {
     RangeSample sample;
     if (!projection_.project(p, u, v)) return false;
     RangeSampler::GroundPlane plane;
-    const bool between =
-        between_rows_ && sampler_.betweenRows(u, v, *view_.ground, row_angle_, sample, plane);
-    if (!between && !sampler_.sample(u, v, sample)) return false;
     const float range = std::sqrt(squared);
+    const bool has_plane =
+        between_rows_ && sampler_.betweenRows(u, v, *view_.ground, view_.row_offset, row_angle_,
+                                              static_cast<float>(grid_.voxel_size), sample, plane);
+    const float above = has_plane ? (sample.range - range) * plane.height / sample.range : 0;
+    const bool between = has_plane && above < truncation_;
+    if (!between && !sampler_.sample(u, v, sample)) return false;
     const float along_ray = sample.range - range;
-    const float distance = between ? along_ray * plane.height / sample.range : along_ray;
+    if (between_rows_ && range > ground_limit_) {
+      const bool is_ground = !has_plane && chooseId(*view_.ground, sample) != 0;
+      if (between || (is_ground && along_ray * -p.z() < truncation_ * range)) return false;
+    }
+    const float distance = between ? above : along_ray;
     if (!(along_ray >= -truncation_)) {
+      if (has_plane && !between) return false;  // free: all as without the band
       const float behind = between ? plane.farthest - range : along_ray;
       return updateBehindGround(behind, between ? distance : -truncation_, sample,
                                 block.voxels[voxel]);
@@ -228,7 +237,9 @@ class FrameUpdate {
     if (!(behind >= -behind_) || view_.ground == nullptr) return false;
     if (chooseId(*view_.ground, sample) == 0) return false;
     if (view_.mask != nullptr && chooseId(*view_.mask, sample) != 0) return false;
-    fuse(std::max(sdf, -truncation_), ground_weight_, voxel);
+    if (voxel.weight > 0 && !voxel.assumed) return false;
+    average(std::max(sdf, -truncation_), ground_weight_, voxel);
+    voxel.assumed = true;
     return true;
   }
 
@@ -244,6 +255,14 @@ class FrameUpdate {
   }
 
   void fuse(float sdf, float w, TsdfVoxel& voxel) const {
+    if (voxel.assumed) {
+      voxel.weight = 0;
+      voxel.assumed = false;
+    }
+    average(sdf, w, voxel);
+  }
+
+  void average(float sdf, float w, TsdfVoxel& voxel) const {
     const float total = voxel.weight + w;
     voxel.distance = (voxel.distance * voxel.weight + sdf * w) / total;
     voxel.weight = std::min(total, max_weight_);
@@ -285,6 +304,7 @@ class FrameUpdate {
   const float max_weight_;
   const float ground_weight_;
   const bool between_rows_;
+  const float ground_limit_;
   const float row_angle_;  ///< of a lidar [rad]
   const float behind_;     ///< how far behind the surface anything may be written [m]
   /// Above it distances are those to the plane between rows, truncated or not.
@@ -374,6 +394,7 @@ void read(ConfigReader& reader, TsdfIntegrator::Config& config) {
   reader.field("max_weight", config.max_weight, {1e-6, 1e12});
   auto ground_band = reader.section("ground_band");
   ground_band.field("extra_m", config.ground_band.extra_m, {0, 100});
+  ground_band.field("max_range_m", config.ground_band.max_range_m, {0.1, 1000});
   ground_band.field("weight", config.ground_band.weight, {1e-12, 1e6});
   ground_band.field("between_rows", config.ground_band.between_rows);
 }

@@ -22,10 +22,12 @@ namespace hydrabench {
 /// distance to the surface, and the voxels just below the ground fall behind the band: there is no
 /// change of sign, and the ground has holes. The ground band (paper, "Ground-Aware Adaptive
 /// Integration Strategy") lets measurements of ground through up to extra_m behind the band,
-/// clamped to its lower end, with a small constant weight that any other measurement outweighs.
-/// Where nothing else is measured, as behind a kerb, a step or the edge of a terrace, it fills what
-/// is empty. Hydra's extra_integration_distance is similar; with a list of labels it also drops
-/// free space in front of whatever is not listed, which is not done here.
+/// clamped to its lower end, with a small constant weight. Where anything is measured, before or
+/// after, that alone counts (the paper leaves it to the weights), so that surfaces other than
+/// ground are the same with and without the band. Where nothing is, as behind a kerb, a step or the
+/// edge of a terrace, it fills what is empty. Hydra's extra_integration_distance is similar; with a
+/// list of labels it also drops free space in front of whatever is not listed, which is not done
+/// here.
 class TsdfIntegrator {
  public:
   /// Of views that tell the ground.
@@ -33,13 +35,18 @@ class TsdfIntegrator {
     double extra_m = 0;    ///< the paper's d_extra; 0: off
     double weight = 1e-3;  ///< a mesh that asks for more has none of it, see mesh_min_weight
     /// Rows of a lidar meet the ground metres apart: seen from 0.5 m, rows of 0.4 degrees are 6 m
-    /// apart at 20 m. So a voxel between two rows that both measured ground is compared with the
-    /// plane through both instead of the nearer row, whose range is wrong by up to half of that,
-    /// and the reach of the band counts from the farther row. Its distance is that to the plane: at
-    /// a grazing angle the distance along the ray is truncated a centimetre above and below the
-    /// ground, and the mesh knows its height no better than to half a voxel. Not in the paper.
+    /// apart at 20 m. So a voxel between two rows that both measured ground, more than a voxel
+    /// apart, is compared with the plane through both instead of the nearer row, whose range is
+    /// wrong by up to half of that, and the reach of the band counts from the farther row. Up to
+    /// the truncation distance above the plane its distance is that to the plane: at a grazing
+    /// angle the distance along the ray is truncated a centimetre above and below the ground, and
+    /// the mesh knows its height no better than to half a voxel. Not in the paper.
     /// false: the nearer row decides, along the ray, as everywhere else.
     bool between_rows = true;
+    /// With between_rows: ground farther from a lidar says nothing of the ground; what stands on it
+    /// is seen as without the band. 30 m away, from 0.5 m, a ray meets it at one degree: half a row
+    /// is 10 cm of height there, and every bump hides metres.
+    double max_range_m = 20;
   };
   struct Config {
     /// nearest, bilinear, or adaptive: bilinear unless the four ranges around the projection differ

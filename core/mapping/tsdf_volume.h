@@ -15,10 +15,11 @@
 namespace hydrabench {
 
 struct TsdfVoxel {
-  float distance = 0;    ///< signed, along viewing rays [m]; positive in front of the surface
-  float weight = 0;      ///< 0: never measured
-  Rgb color;             ///< black until a measurement near the surface brings one
-  bool colored = false;  ///< takes the byte that would be padding
+  float distance = 0;        ///< signed, along viewing rays [m]; positive in front of the surface
+  float weight = 0;          ///< 0: never measured
+  Rgb color;                 ///< black until a measurement near the surface brings one
+  bool colored : 1 = false;  ///< these two take the byte that would be padding
+  bool assumed : 1 = false;  ///< by the ground band alone: nothing was measured here
 };
 
 /// When a voxel was seen to be full, and whether it was empty (Khronos).

@@ -94,17 +94,30 @@ TEST(GroundBand, WritesNothingBehindMovingGround) {
   EXPECT_EQ(at(fused(wall.view, 3), 7.1).weight, 0);
 }
 
-TEST(GroundBand, IsOutweighedByWhatIsTrulySeen) {
-  RoundWall wall;
-  TsdfVolume volume = fused(wall.view, 3);
-  RoundWall farther;  // sees free space where the band was
-  farther.view.range = Image<float>(361, 16, 15);
+TEST(GroundBand, LeavesNoTraceWhereSomethingIsTrulySeen) {
+  const RoundWall wall;
+  RoundWall farther;  // sees free space, and a surface, where the band was
+  farther.view.range = Image<float>(361, 16, 8);
+  farther.view.range(20, 0) = 20;
+  farther.ground.fill(0);
   summarizeRange(farther.view);
   TsdfIntegrator::Config config;
   config.constant_weight = true;
-  TsdfIntegrator(config).integrate(farther.view, volume);
-  // 57.3 * 28.6 rays in a square of 0.2 m at 8 m: about 1 against 0.001.
-  EXPECT_GT(at(volume, 8.1).distance, 0.39);
+  config.ground_band = {.extra_m = 3, .weight = 10, .between_rows = false};
+  const TsdfIntegrator with_band(config);
+  TsdfVolume after = fused(wall.view, 3, 10);
+  with_band.integrate(farther.view, after);
+  TsdfVolume before = fused(farther.view, 0);
+  with_band.integrate(wall.view, before);
+  const TsdfVolume alone = fused(farther.view, 0);
+  for (double x = 6.5; x < 8.4; x += kVoxel) {
+    EXPECT_EQ(at(after, x).distance, at(alone, x).distance) << x;
+    EXPECT_EQ(at(after, x).weight, at(alone, x).weight) << x;
+    EXPECT_EQ(at(before, x).distance, at(alone, x).distance) << x;
+    EXPECT_EQ(at(before, x).weight, at(alone, x).weight) << x;
+    EXPECT_GT(at(alone, x).weight, 0) << x;
+  }
+  EXPECT_EQ(at(after, 9.1).distance, -0.4f);  // nothing else there
 }
 
 /// A lidar 0.5 m above flat ground, rows a degree apart: they meet it 14.3 m and 28.6 m away, and
@@ -127,14 +140,30 @@ struct FlatGround {
   }
   FlatGround(const FlatGround&) = delete;
 
-  TsdfVolume fused(bool between_rows) const {
+  /// @param lost  whether a row has no return
+  /// @param off   see SensorView::row_offset
+  template <typename Lost, typename Off>
+  void setRows(const Lost& lost, const Off& off) {
+    offset = Image<float>(361, 16, 0);
+    for (int v = 1; v < 16; ++v) {
+      for (int u = 175; u < 186; ++u) {
+        offset(u, v) = off(v);
+        const double down = (v + off(v)) * kDegree;
+        view.range(u, v) = lost(v) ? 0.0f : static_cast<float>(kHeight / std::sin(down));
+      }
+    }
+    view.row_offset = &offset;
+    summarizeRange(view);
+  }
+
+  TsdfVolume fused(bool between_rows, double max_range_m = 20) const {
     TsdfVolume::Config grid;
     grid.voxel_size_m = 0.05;
     grid.truncation_m = kTruncation;
     TsdfVolume volume(grid);
     TsdfIntegrator::Config config;
     config.constant_weight = true;
-    config.ground_band = {.extra_m = 3, .between_rows = between_rows};
+    config.ground_band = {.extra_m = 3, .between_rows = between_rows, .max_range_m = max_range_m};
     TsdfIntegrator(config).integrate(view, volume);
     return volume;
   }
@@ -151,8 +180,22 @@ struct FlatGround {
     return distances;
   }
 
+  /// That every distance between two x is that to the ground, below the first row that met it.
+  static void expectHeights(const TsdfVolume& volume, double low_x, double high_x) {
+    for (double x = low_x; x < high_x; x += 0.05) {
+      const auto distances = column(volume, x);
+      EXPECT_GT(distances.size(), 4u) << x;
+      for (const auto& [above, distance] : distances) {
+        if (std::atan2(kHeight - above, x) < 1.02 * kDegree) continue;
+        EXPECT_NEAR(distance, std::clamp(above, -kTruncation, kTruncation), 2e-3)
+            << "at " << x << ", " << above << " m above the ground";
+      }
+    }
+  }
+
   SensorView view;
   Image<std::uint8_t> ground;
+  Image<float> offset;
 };
 
 TEST(GroundBand, TellsAboveFromBelowBetweenTwoRowsOfALidar) {
@@ -202,6 +245,44 @@ TEST(GroundBand, TakesTheNearerRowWhereTheOtherOneDidNotMeetGround) {
   for (double x = 3; x < 14; x += 0.5) {
     EXPECT_EQ(FlatGround::column(plane, x), FlatGround::column(nearest, x)) << x;
   }
+}
+
+TEST(GroundBand, PassesOverRowsWithoutAReturn) {
+  FlatGround scene;
+  scene.setRows([](int v) { return v == 4 || v == 6 || v == 7 || v == 8; },
+                [](int) { return 0.0f; });
+  // The row of 3 degrees meets the ground 9.5 m away, that of 9 degrees 3.2 m.
+  FlatGround::expectHeights(scene.fused(true), 4, 9);
+  scene.setRows([](int v) { return v > 3 && v < 8; }, [](int) { return 0.0f; });
+  EXPECT_LT(FlatGround::column(scene.fused(true), 6).size(),
+            FlatGround::column(FlatGround().fused(true), 6).size());
+}
+
+TEST(GroundBand, GoesThroughTheRaysAndNotTheMiddlesOfRows) {
+  FlatGround scene;
+  scene.setRows([](int) { return false; },
+                [](int v) { return v % 3 == 0   ? 0.45f
+                                   : v % 3 == 1 ? -0.4f
+                                                : 0.1f; });
+  FlatGround::expectHeights(scene.fused(true), 7, 11);
+  scene.view.row_offset = nullptr;
+  double worst = 0;
+  for (const auto& [above, distance] : FlatGround::column(scene.fused(true), 8)) {
+    worst = std::max(worst, std::abs(distance - std::clamp(above, -kTruncation, kTruncation)));
+  }
+  EXPECT_GT(worst, 0.03);
+}
+
+TEST(GroundBand, SaysNothingOfGroundBeyondItsRange) {
+  const FlatGround scene;
+  const TsdfVolume near = scene.fused(true, 8);
+  const TsdfVolume all = scene.fused(true, 20);
+  EXPECT_EQ(FlatGround::column(near, 7), FlatGround::column(all, 7));
+  for (const auto& [above, distance] : FlatGround::column(near, 10)) {
+    EXPECT_GT(above, kTruncation - 0.05);
+    EXPECT_EQ(distance, kTruncation);
+  }
+  EXPECT_LT(FlatGround::column(all, 10).begin()->first, -0.1);
 }
 
 TEST(GroundBand, BetweenRowsIsTheSameWhetherDecidedEarlyOrVoxelByVoxel) {
