@@ -155,6 +155,34 @@ TEST_F(Sidecar, TheFramesOfSam3dComeBackAsThoseOfTheCamera) {
   }
 }
 
+TEST_F(Sidecar, Sam3dHasMadeACallBeforeItSaysHello) {
+  for (const char* warm_up : {"works", "fails"}) {
+    const nlohmann::json truth = {
+        {"R", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"t", {0, 0, 2}}, {"s", 1}, {"warm_up", warm_up}};
+    SidecarProcess::Config asking = config("ok").process;
+    asking.command = {"python3", SAM3D_STUB, HYDRABENCH_SOURCE_DIR "/scripts", truth.dump()};
+    SidecarProcess process(asking);
+    const nlohmann::json hello = process.hello();
+    EXPECT_GT(hello.at("warm_up_s").get<double>(), 0) << warm_up;
+    ASSERT_EQ(hello.at("seen").size(), 1u) << warm_up;
+    // A ball with a radius of 0.3 m, 1.5 m away.
+    const nlohmann::json& seen = hello.at("seen")[0];
+    EXPECT_EQ(seen.at("bytes").get<int>(), 3 * seen.at("pixels").get<int>());
+    EXPECT_GT(seen.at("on").get<int>(), 5000);
+    EXPECT_NEAR(seen.at("nearest").get<double>(), 1.2, 1e-3);
+    EXPECT_NEAR(seen.at("left").get<double>(), 0.3, 0.02);
+    EXPECT_NEAR(seen.at("top").get<double>(), 0.3, 0.02);
+    // It is warm, and answers whatever became of that.
+    ShapeObservation view = Sidecar::view();
+    view.depth.fill(2);
+    view.depth(0, 0) = 0;
+    const SidecarMessage answer = process.call(sidecarQuestion(view, 1, 20));
+    EXPECT_EQ(answer.header.at("status"), "ok") << answer.header;
+  }
+  EXPECT_THAT(readText(folder_ / "log"),
+              ::testing::HasSubstr("warm-up: RuntimeError('no voxels')"));
+}
+
 TEST_F(Sidecar, AFaultOnceIsAskedAgainOfAProgramStartedAnew) {
   for (const char* mode : {"garbage_once", "dies_once", "late_once"}) {
     std::filesystem::remove(folder_ / "starts");
