@@ -201,10 +201,7 @@ void writeModel(const LatentFlowTrainingConfig& config, const std::filesystem::p
 TrainingState trainLatentFlow(const LatentFlowTrainingConfig& config, const std::string& resolved,
                               const std::filesystem::path& out, const TrainingProgress& progress,
                               const StopRequest& stop) {
-  keepTorchOnThisThread();
-  std::filesystem::create_directories(out);
-  requireSameConfig(out / "config.yaml", resolved);
-  torch::manual_seed(config.seed);
+  beginTraining(out, resolved, config.seed);
   LatentFlowNetwork network(config.network);
   if (!config.start_from.empty()) {
     loadWeights(*network, readLatentFlowManifest(config.start_from / "manifest.yaml").weights);
