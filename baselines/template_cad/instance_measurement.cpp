@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/geometry/box.h"
+#include "core/geometry/median.h"
 #include "core/parallel/parallel_for.h"
 
 namespace hydrabench {
@@ -16,12 +17,6 @@ namespace {
 /// The value at place `rank` (rounded down, from 0) of the sorted values: no interpolation.
 float percentile(std::vector<float>& values, double rank) {
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-double median(std::vector<double>& values) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
@@ -51,7 +46,7 @@ InstanceMeasurement measure(const Frame& frame, const ObjectCandidate& candidate
     xs.push_back(point.x());
     ys.push_back(point.y());
   }
-  measurement.center = {median(xs), median(ys)};
+  measurement.center = {median(std::move(xs)), median(std::move(ys))};
   return measurement;
 }
 

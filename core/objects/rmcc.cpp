@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/depth_raster.h"
+#include "core/geometry/median.h"
 #include "core/geometry/surface_sampling.h"
 
 namespace hydrabench {
@@ -54,10 +56,7 @@ std::optional<double> medianResidual(const Image<float>& rendered, const ShapeOb
     residuals.push_back(std::abs(double{rendered.data()[i]} - double{measured}));
   }
   if (residuals.empty()) return std::nullopt;
-  // The upper of the two middle ones where the number is even: an occurring value.
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return median(std::move(residuals));
 }
 
 }  // namespace

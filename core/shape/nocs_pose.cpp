@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/geometry/median.h"
 #include "core/types/random.h"
 
 namespace hydrabench {
@@ -31,26 +32,17 @@ struct Pairs {
   }
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Twice the largest distance from the middle (CRISP), by medians and without what lies far off, so
 /// that a few wild predictions do not decide how far an inlier may be.
 double diameterOf(std::span<const Eigen::Vector3d> points) {
-  Eigen::Vector3d middle;
-  std::vector<double> values(points.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < points.size(); ++i) values[i] = points[i][axis];
-    middle[axis] = median(values);
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) values[i] = (points[i] - middle).norm();
+  const Eigen::Vector3d middle = median(points);
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) distances.push_back((p - middle).norm());
   constexpr double kFarOff = 3;  // of the median distance
-  const double limit = kFarOff * median(values);
+  const double limit = kFarOff * median(distances);
   double radius = 0;
-  for (const double distance : values) {
+  for (const double distance : distances) {
     if (distance <= limit) radius = std::max(radius, distance);
   }
   return 2 * radius;

@@ -2,24 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/shape/scale_alignment.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/depth_raster.h"
+#include "core/geometry/median.h"
 
 namespace hydrabench {
-namespace {
-
-/// Of an even number the upper of the two in the middle. Not of none.
-double upperMedian(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
 
 std::optional<ScaleAlignment> measureScale(const ShapeEstimate& estimate,
                                            const ShapeObservation& observation) {
@@ -39,9 +29,9 @@ std::optional<ScaleAlignment> measureScale(const ShapeEstimate& estimate,
   if (ratios.empty()) return std::nullopt;
   ScaleAlignment alignment;
   alignment.pixels = static_cast<int>(ratios.size());
-  alignment.factor = upperMedian(ratios);
+  alignment.factor = median(ratios);
   for (double& ratio : ratios) ratio = std::abs(ratio - alignment.factor);
-  alignment.spread = upperMedian(ratios) / alignment.factor;
+  alignment.spread = median(std::move(ratios)) / alignment.factor;
   return alignment;
 }
 

@@ -8,6 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/geometry/median.h"
 #include "core/mapping/ground/patchwork.h"
 #include "core/parallel/parallel_for.h"
 #include "core/types/random.h"
@@ -66,7 +67,7 @@ void groundOfScan(benchmark::State& state) {
             .count());
   }
   state.counters["points"] = static_cast<double>(scans[0].points.size());
-  state.counters["p50_ms"] = middleOf(times_ms);
+  state.counters["p50_ms"] = median(times_ms);
   setNumThreads(0);
 }
 BENCHMARK(groundOfScan)

@@ -9,6 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/geometry/median.h"
 #include "eval/bench/office_frames.h"
 
 namespace hydrabench {
@@ -53,7 +54,7 @@ void integrateOfficeFrameOpen3d(benchmark::State& state) {
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
             .count());
   }
-  state.counters["p50_ms"] = middleOf(times_ms);
+  state.counters["p50_ms"] = median(times_ms);
 }
 BENCHMARK(integrateOfficeFrameOpen3d)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(2);
 

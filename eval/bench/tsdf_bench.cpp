@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/geometry/median.h"
 #include "core/mapping/tsdf_integrator.h"
 #include "core/parallel/parallel_for.h"
 #include "eval/bench/office_frames.h"
@@ -35,7 +36,7 @@ void integrateOfficeFrame(benchmark::State& state) {
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
             .count());
   }
-  state.counters["p50_ms"] = middleOf(times_ms);
+  state.counters["p50_ms"] = median(times_ms);
   state.counters["voxels_per_s"] = benchmark::Counter(num_voxels, benchmark::Counter::kIsRate);
   setNumThreads(0);
 }

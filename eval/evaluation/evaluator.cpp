@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "core/geometry/median.h"
 #include "core/parallel/parallel_for.h"
 #include "core/types/error.h"
-#include "eval/evaluation/median.h"
 #include "eval/evaluation/method_scores.h"
 
 namespace hydrabench {

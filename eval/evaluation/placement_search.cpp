@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "eval/evaluation/median.h"
+#include "core/geometry/median.h"
 
 namespace hydrabench {
 namespace {

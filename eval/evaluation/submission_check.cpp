@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/geometry/median.h"
 #include "core/geometry/mesh_topology.h"
 #include "eval/evaluation/label_check.h"
-#include "eval/evaluation/median.h"
 #include "eval/evaluation/placement_search.h"
 #include "metrics/detection.h"
 

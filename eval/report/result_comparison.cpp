@@ -12,9 +12,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/geometry/median.h"
 #include "core/io/atomic_file.h"
 #include "core/types/error.h"
-#include "eval/evaluation/median.h"
 #include "eval/evaluation/method_scores.h"
 #include "eval/report/comparison_table.h"
 #include "eval/report/objects_csv.h"

@@ -4,7 +4,6 @@
 
 #include "core/io/atomic_file.h"
 #include "core/shape/crisp/crisp_manifest.h"
-#include "core/shape/crisp/torch_runtime.h"
 #include "core/shape/crisp/torch_weights.h"
 #include "eval/training/crisp_trainer.h"
 #include "eval/training/training_folder.h"
@@ -39,10 +38,7 @@ void writeModel(const CrispTrainingConfig& config, const std::filesystem::path& 
 TrainingState trainCrispModel(const CrispTrainingConfig& config, const std::string& resolved,
                               const std::filesystem::path& out, const TrainingProgress& progress,
                               const StopRequest& stop) {
-  keepTorchOnThisThread();
-  std::filesystem::create_directories(out);
-  requireSameConfig(out / "config.yaml", resolved);
-  torch::manual_seed(config.seed);
+  beginTraining(out, resolved, config.seed);
   PointNetwork network(networkOptions(config));
   if (!config.start_from.empty() && !std::filesystem::exists(out / "network.checkpoint")) {
     loadWeights(*network, readCrispManifest(config.start_from / "manifest.yaml").weights);

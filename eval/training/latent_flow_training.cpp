@@ -6,7 +6,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/shape/crisp/crisp_manifest.h"
-#include "core/shape/crisp/point_network.h"
+#include "core/shape/crisp/small_crisp_model.h"
 #include "core/shape/crisp/torch_weights.h"
 #include "core/types/error.h"
 #include "eval/training/latent_flow_losses.h"
@@ -170,14 +170,7 @@ class LatentFlowTraining {
 /// Copies what the encoder of views has in common with a small CRISP network: all of it.
 void beginViewEncoder(const std::filesystem::path& folder, PointEncoder encoder) {
   const CrispManifest manifest = readCrispManifest(folder / "manifest.yaml");
-  PointNetworkImpl::Options options;
-  options.dim = manifest.encoder_dim;
-  options.depth = manifest.encoder_depth;
-  options.heads = manifest.encoder_heads;
-  options.decoder.layers = manifest.sdf_layers;
-  options.decoder.width = manifest.sdf_width;
-  PointNetwork crisp(options);
-  loadWeights(*crisp, manifest.weights);
+  const PointNetwork crisp = loadPointNetwork(manifest);
   const torch::NoGradGuard no_grad;
   const auto from = crisp->named_parameters();
   for (auto& item : encoder->named_parameters()) {
@@ -208,10 +201,7 @@ void writeModel(const LatentFlowTrainingConfig& config, const std::filesystem::p
 TrainingState trainLatentFlow(const LatentFlowTrainingConfig& config, const std::string& resolved,
                               const std::filesystem::path& out, const TrainingProgress& progress,
                               const StopRequest& stop) {
-  keepTorchOnThisThread();
-  std::filesystem::create_directories(out);
-  requireSameConfig(out / "config.yaml", resolved);
-  torch::manual_seed(config.seed);
+  beginTraining(out, resolved, config.seed);
   LatentFlowNetwork network(config.network);
   if (!config.start_from.empty()) {
     loadWeights(*network, readLatentFlowManifest(config.start_from / "manifest.yaml").weights);

@@ -3,11 +3,14 @@
 #include "eval/training/training_folder.h"
 
 #include <fmt/format.h>
+#include <torch/torch.h>
 
 #include "core/io/atomic_file.h"
+#include "core/shape/crisp/torch_runtime.h"
 #include "core/types/error.h"
 
 namespace hydrabench {
+namespace {
 
 void requireSameConfig(const std::filesystem::path& file, const std::string& resolved) {
   if (!std::filesystem::exists(file)) {
@@ -18,6 +21,16 @@ void requireSameConfig(const std::filesystem::path& file, const std::string& res
                     "folder",
                     file.string()));
   }
+}
+
+}  // namespace
+
+void beginTraining(const std::filesystem::path& out, const std::string& resolved,
+                   std::uint64_t seed) {
+  keepTorchOnThisThread();
+  std::filesystem::create_directories(out);
+  requireSameConfig(out / "config.yaml", resolved);
+  torch::manual_seed(seed);
 }
 
 }  // namespace hydrabench

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 namespace hydrabench {
 
-/// Writes the config of a training beside its checkpoints, or throws InputError where another one
-/// stands there.
-void requireSameConfig(const std::filesystem::path& file, const std::string& resolved);
+/// What every training begins with: its folder, whether new or from a call before, with the
+/// resolved config in config.yaml (InputError where another one stands there); libtorch's work on
+/// the threads that ask for it; and its seed.
+void beginTraining(const std::filesystem::path& out, const std::string& resolved,
+                   std::uint64_t seed);
 
 }  // namespace hydrabench

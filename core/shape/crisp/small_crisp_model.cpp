@@ -86,14 +86,7 @@ class SmallCrispModel : public CrispModel {
 
 }  // namespace
 
-std::unique_ptr<const CrispModel> makeSmallCrisp(PointNetwork network,
-                                                 const CrispManifest& manifest,
-                                                 const std::string& device) {
-  return std::make_unique<SmallCrispModel>(std::move(network), manifest, device);
-}
-
-std::unique_ptr<const CrispModel> loadSmallCrisp(const CrispManifest& manifest,
-                                                 const std::string& device) {
+PointNetwork loadPointNetwork(const CrispManifest& manifest) {
   PointNetworkImpl::Options options;
   options.dim = manifest.encoder_dim;
   options.depth = manifest.encoder_depth;
@@ -102,7 +95,18 @@ std::unique_ptr<const CrispModel> loadSmallCrisp(const CrispManifest& manifest,
   options.decoder.width = manifest.sdf_width;
   PointNetwork network(options);
   loadWeights(*network, manifest.weights);
-  return makeSmallCrisp(std::move(network), manifest, device);
+  return network;
+}
+
+std::unique_ptr<const CrispModel> makeSmallCrisp(PointNetwork network,
+                                                 const CrispManifest& manifest,
+                                                 const std::string& device) {
+  return std::make_unique<SmallCrispModel>(std::move(network), manifest, device);
+}
+
+std::unique_ptr<const CrispModel> loadSmallCrisp(const CrispManifest& manifest,
+                                                 const std::string& device) {
+  return makeSmallCrisp(loadPointNetwork(manifest), manifest, device);
 }
 
 }  // namespace hydrabench

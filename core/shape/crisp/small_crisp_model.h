@@ -13,6 +13,9 @@
 
 namespace hydrabench {
 
+/// The network of a small model with its weights. Throws InputError naming the file.
+PointNetwork loadPointNetwork(const CrispManifest& manifest);
+
 /// A small network with the weights it has.
 std::unique_ptr<const CrispModel> makeSmallCrisp(PointNetwork network,
                                                  const CrispManifest& manifest,

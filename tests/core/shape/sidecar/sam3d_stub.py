@@ -3,7 +3,9 @@
 """Stands in for SAM3D behind scripts/sam3d_sidecar.py: knows a pose in OpenCV axes and gives it out as SAM3D does, with the steps
 undone one by one instead of by formula.
 
-sam3d_stub.py FOLDER_OF_SIDECAR JSON    JSON: {"R": 9 numbers, "t": 3, "s": 1}
+sam3d_stub.py FOLDER_OF_SIDECAR JSON    JSON: {"R": 9 numbers, "t": 3, "s": 1, "warm_up": "fails", if it shall}
+
+Its hello has under "seen" what it was shown before it said so.
 """
 import json
 import math
@@ -30,15 +32,29 @@ def quaternion(m):
 
 
 class Stub:
-    hello = {"name": "stub"}
+    def __init__(self):
+        self.hello = {"name": "stub", "seen": []}
+
+    def warm_up(self, rgb, mask, points, width, height):
+        on = [points[3 * i:3 * i + 3] for i in range(width * height) if mask[i]]
+        self.hello["seen"].append({"pixels": width * height, "bytes": len(rgb), "on": len(on), "nearest": min(p[2] for p in on),
+                                   "left": max(p[0] for p in on), "top": max(p[1] for p in on)})
+        if truth.get("warm_up") == "fails":
+            raise RuntimeError("no voxels")
 
     def estimate(self, rgb, mask, points, width, height, seed):
         print("a library that prints to standard output")
+        if not self.hello["seen"]:
+            self.warm_up(rgb, mask, points, width, height)
+            return self.shape()
         # The point of pixel (10, 5) at 2 m, and one that was not measured.
         at = 3 * (5 * width + 10)
         assert abs(points[at] - -(10 - 32) * 2 / 60) < 1e-6 and abs(points[at + 1] - -(5 - 24) * 2 / 60) < 1e-6
         assert points[at + 2] == 2 and all(math.isnan(p) for p in points[:3])
         assert len(rgb) == 3 * width * height and len(mask) == width * height
+        return self.shape()
+
+    def shape(self):
         # What a camera that looks along z with x to the left and y up sees of the axes of the object.
         columns = [[-truth["R"][c], -truth["R"][3 + c], truth["R"][6 + c]] for c in range(3)]
         rows_for_row_vectors = columns  # v Q is the sum of v[i] times row i of Q

@@ -155,6 +155,34 @@ TEST_F(Sidecar, TheFramesOfSam3dComeBackAsThoseOfTheCamera) {
   }
 }
 
+TEST_F(Sidecar, Sam3dHasMadeACallBeforeItSaysHello) {
+  for (const char* warm_up : {"works", "fails"}) {
+    const nlohmann::json truth = {
+        {"R", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"t", {0, 0, 2}}, {"s", 1}, {"warm_up", warm_up}};
+    SidecarProcess::Config asking = config("ok").process;
+    asking.command = {"python3", SAM3D_STUB, HYDRABENCH_SOURCE_DIR "/scripts", truth.dump()};
+    SidecarProcess process(asking);
+    const nlohmann::json hello = process.hello();
+    EXPECT_GT(hello.at("warm_up_s").get<double>(), 0) << warm_up;
+    ASSERT_EQ(hello.at("seen").size(), 1u) << warm_up;
+    // A ball with a radius of 0.3 m, 1.5 m away.
+    const nlohmann::json& seen = hello.at("seen")[0];
+    EXPECT_EQ(seen.at("bytes").get<int>(), 3 * seen.at("pixels").get<int>());
+    EXPECT_GT(seen.at("on").get<int>(), 5000);
+    EXPECT_NEAR(seen.at("nearest").get<double>(), 1.2, 1e-3);
+    EXPECT_NEAR(seen.at("left").get<double>(), 0.3, 0.02);
+    EXPECT_NEAR(seen.at("top").get<double>(), 0.3, 0.02);
+    // It is warm, and answers whatever became of that.
+    ShapeObservation view = Sidecar::view();
+    view.depth.fill(2);
+    view.depth(0, 0) = 0;
+    const SidecarMessage answer = process.call(sidecarQuestion(view, 1, 20));
+    EXPECT_EQ(answer.header.at("status"), "ok") << answer.header;
+  }
+  EXPECT_THAT(readText(folder_ / "log"),
+              ::testing::HasSubstr("warm-up: RuntimeError('no voxels')"));
+}
+
 TEST_F(Sidecar, AFaultOnceIsAskedAgainOfAProgramStartedAnew) {
   for (const char* mode : {"garbage_once", "dies_once", "late_once"}) {
     std::filesystem::remove(folder_ / "starts");
@@ -280,7 +308,77 @@ TEST_F(Sidecar, RestartsLeaveNothingBehind) {
   EXPECT_EQ(children(), children_before_);
 }
 
-TEST(SidecarConfig, ACommandIsNeeded) { EXPECT_THROW(SidecarEstimator({}), InputError); }
+SidecarEstimator::Config configOf(const ConfigDocument& document) {
+  SidecarEstimator::Config config;
+  ConfigReader reader(document);
+  read(reader, config);
+  reader.finish();
+  return config;
+}
+/// The fault of a document.
+std::string faultOf(const std::string& yaml) {
+  return messageOf<InputError>([&] { configOf(ConfigDocument::fromString(yaml, "s.yaml")); });
+}
+
+TEST(SidecarConfig, ACommandIsNeeded) {
+  EXPECT_THROW(SidecarEstimator({}), InputError);
+  EXPECT_EQ(faultOf("call_s: 5"),
+            "s.yaml: command: missing, expected the program to start and its arguments");
+  EXPECT_EQ(faultOf("command: []\nscript: estimator.py\n"),
+            "s.yaml:1: command: missing, expected the program to start and its arguments");
+  EXPECT_EQ(configOf(ConfigDocument::fromString("replay: /answers")).replay, "/answers");
+}
+
+TEST(SidecarConfig, EveryKeyIsRead) {
+  const TemporaryFolder folder;
+  writeText(folder / "methods/sidecar.yaml",
+            "command: [python3, -u]\n"
+            "script: ../estimator.py\n"
+            "arguments: [--model, small]\n"
+            "log: said.log\n"
+            "start_s: 600\n"
+            "call_s: 0.25\n"
+            "retries: 0\n"
+            "max_failed_objects: 7\n"
+            "max_faces: 500\n"
+            "record: kept\n"
+            "replay: answers\n");
+  const SidecarEstimator::Config config =
+      configOf(ConfigDocument::fromFile(folder / "methods/sidecar.yaml"));
+  EXPECT_THAT(config.process.command,
+              ::testing::ElementsAre("python3", "-u", (folder / "estimator.py").string(), "--model",
+                                     "small"));
+  EXPECT_EQ(config.process.log, "said.log");
+  EXPECT_EQ(config.process.start_s, 600);
+  EXPECT_EQ(config.process.call_s, 0.25);
+  EXPECT_EQ(config.retries, 0);
+  EXPECT_EQ(config.max_failed_objects, 7);
+  EXPECT_EQ(config.max_faces, 500);
+  EXPECT_EQ(config.record, "kept");
+  EXPECT_EQ(config.replay, folder / "methods/answers");
+}
+
+TEST(SidecarConfig, WhatIsNotGivenKeepsItsDefault) {
+  const SidecarEstimator::Config config =
+      configOf(ConfigDocument::fromString("command: [estimator]"));
+  const SidecarEstimator::Config untouched;
+  EXPECT_THAT(config.process.command, ::testing::ElementsAre("estimator"));
+  EXPECT_EQ(config.process.start_s, untouched.process.start_s);
+  EXPECT_EQ(config.process.call_s, untouched.process.call_s);
+  EXPECT_EQ(config.retries, untouched.retries);
+  EXPECT_EQ(config.max_failed_objects, untouched.max_failed_objects);
+  EXPECT_EQ(config.max_faces, untouched.max_faces);
+  EXPECT_TRUE(config.process.log.empty() && config.record.empty() && config.replay.empty());
+}
+
+TEST(SidecarConfig, AMistakeIsOneLineWithItsPlace) {
+  EXPECT_EQ(faultOf("command: [estimator]\nretrys: 1\n"),
+            "s.yaml:2: retrys: unknown key, did you mean retries?");
+  EXPECT_EQ(faultOf("command: [estimator]\ncall_s: 0\n"),
+            "s.yaml:2: call_s: 0 is out of bounds, expected 0.01 to 1000000");
+  EXPECT_EQ(faultOf("command: [estimator]\n\nmax_failed_objects: 0\n"),
+            "s.yaml:3: max_failed_objects: 0 is out of bounds, expected 1 to 1000000000");
+}
 
 }  // namespace
 }  // namespace hydrabench
