@@ -114,9 +114,10 @@ void ActiveWindow::takeMesh() {
 double ActiveWindow::confidence(const BlockIndex& block) const {
   const VoxelBlock* voxels = volume_.find(block);
   if (voxels == nullptr) return 0;
+  // Free space counts, too: near ground, at a grazing angle, is truncated in nearly all voxels.
   double sum = 0;
   for (const TsdfVoxel& voxel : voxels->voxels) {
-    if (std::abs(voxel.distance) < volume_.config().truncation_m) sum += voxel.weight;
+    if (!voxel.assumed) sum += voxel.weight;
   }
   return sum;
 }

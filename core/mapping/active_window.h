@@ -81,7 +81,7 @@ class ActiveWindow {
   /// Sets the blocks' left_window.
   void closeWindow(std::int64_t stamp_ns, const Eigen::Vector3d& sensor_position);
   void archive(const BlockIndex& block);
-  /// Sum of the weights near the surface; 0 where the block is not there.
+  /// Sum of the weights of what was measured in it; 0 where the block is not there.
   double confidence(const BlockIndex& block) const;
 
   Config config_;

@@ -64,16 +64,17 @@ class RangeSampler {
     return true;
   }
 
-  /// The plane through where two rows met the ground. Along a ray between them it is nearer by
-  /// height / sample.range for every metre of way.
+  /// The plane through where two rows met the ground, or one of them what stands on it. Along a ray
+  /// between them it is nearer by height / sample.range for every metre of way.
   struct GroundPlane {
-    float height = 0;    ///< of the sensor above it [m]
-    float farthest = 0;  ///< the larger range of the two rows [m]
-    float gap = 0;       ///< between the ranges of the two rows [m]
+    float height = 0;        ///< of the sensor above it [m]
+    float farthest = 0;      ///< the larger range of the two rows [m]
+    float gap = 0;           ///< between the ranges of the two rows [m]
+    bool on_ground = false;  ///< both places are; else one of them
   };
   /// On the ground between two rows, as if it were a plane there: 1/range is a straight line in the
-  /// angle. False unless both rows next to v measured ground in the column next to u, farther apart
-  /// than min_gap.
+  /// angle. False unless both rows next to v measured something in the column next to u, at least
+  /// one of them ground, farther apart than min_gap.
   /// @param ground     pixels other than 0 see ground
   /// @param offset     see SensorView::row_offset; null: no ray is off
   /// @param row_angle  between two rows [rad]
@@ -102,7 +103,9 @@ class RangeSampler {
     const float upper_range = range_[upper];
     const float lower_range = range_[lower];
     if (upper_range == 0.0f || lower_range == 0.0f) return false;
-    if (ground.data()[upper] == 0 || ground.data()[lower] == 0) return false;
+    const int num_ground = (ground.data()[upper] != 0) + (ground.data()[lower] != 0);
+    if (num_ground == 0) return false;
+    plane.on_ground = num_ground == 2;
     plane.gap = std::abs(upper_range - lower_range);
     if (plane.gap < min_gap) return false;
     const float first = rayOf(v0);

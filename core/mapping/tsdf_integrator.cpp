@@ -200,20 +200,20 @@ class FrameUpdate {
         between_rows_ && sampler_.betweenRows(u, v, *view_.ground, view_.row_offset, row_angle_,
                                               static_cast<float>(grid_.voxel_size), sample, plane);
     const float above = has_plane ? (sample.range - range) * plane.height / sample.range : 0;
-    const bool between = has_plane && above < truncation_;
+    const bool near_plane = has_plane && above < truncation_;
+    if (near_plane && range > ground_limit_) return false;
+    const bool between = near_plane && plane.on_ground;
     if (!between && !sampler_.sample(u, v, sample)) return false;
     const float along_ray = sample.range - range;
-    if (between_rows_ && range > ground_limit_) {
-      const bool is_ground = !has_plane && chooseId(*view_.ground, sample) != 0;
-      if (between || (is_ground && along_ray * -p.z() < truncation_ * range)) return false;
-    }
     const float distance = between ? above : along_ray;
     if (!(along_ray >= -truncation_)) {
-      if (has_plane && !between) return false;  // free: all as without the band
+      if (has_plane && !near_plane) return false;  // free: all as without the band
       const float behind = between ? plane.farthest - range : along_ray;
       return updateBehindGround(behind, between ? distance : -truncation_, sample,
                                 block.voxels[voxel]);
     }
+    // In front of what the nearer row met, but below the ground that the other one met.
+    if (near_plane && !between && above < 0 && along_ray > 0) return false;
     const float sdf = std::min(distance, truncation_);
     const float w = weight(p, sdf);
     TsdfVoxel& tsdf = block.voxels[voxel];

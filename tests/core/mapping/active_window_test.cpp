@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/mapping/active_window.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -243,6 +246,29 @@ TEST(ActiveWindow, RefusesAPoseWhoseVerticesCannotBeNumbered) {
   ActiveWindow window{{}};  // 5 mm: 2^30 cells are 5.4e6 m
   EXPECT_NO_THROW(integrate(window, wall(5e6, kStart)));
   EXPECT_THROW(integrate(window, wall(2e7, kStart)), InputError);
+}
+
+TEST(ActiveWindow, KeepsOfAPlaceSeenAgainFromAfarWhatWasSeenFromNear) {
+  const auto nearest = [](const std::string& revisited) {
+    ActiveWindow::Config config;
+    config.revisited = revisited;
+    ActiveWindow window(config);
+    for (int i = 0; i < 3; ++i) integrate(window, wall(0, kStart));
+    window.update(kStart, {0, 0, 0});
+    integrate(window, wall(50, kStart + 60 * kSecond));
+    window.update(kStart + 60 * kSecond, {50, 0, 0});    // the first place has left
+    Frame afar = wall(0, kStart + 120 * kSecond, 4.4F);  // 10 cm too near
+    afar.T_world_camera = lookAt({0, -2.5, 0}, {0, 0, 0});
+    integrate(window, afar);
+    window.finish();
+    double least = 10;
+    for (const Eigen::Vector3d& p : window.mesh().mesh().vertices) {
+      if (std::abs(p.x()) < 1.4 && std::abs(p.z()) < 0.8) least = std::min(least, p.y());
+    }
+    return least;
+  };
+  EXPECT_NEAR(nearest("both"), 1.9, 0.02);
+  EXPECT_NEAR(nearest("best"), 2, 0.02);
 }
 
 TEST(ActiveWindow, FinishFreezesAllThatIsLeft) {
