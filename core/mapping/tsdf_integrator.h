@@ -46,7 +46,7 @@ class TsdfIntegrator {
     /// With between_rows: ground farther from a lidar says nothing of the ground; what stands on it
     /// is seen as without the band. 30 m away, from 0.5 m, a ray meets it at one degree: half a row
     /// is 10 cm of height there, and every bump hides metres.
-    double max_range_m = 20;
+    double max_range_m = 30;
   };
   struct Config {
     /// nearest, bilinear, or adaptive: bilinear unless the four ranges around the projection differ

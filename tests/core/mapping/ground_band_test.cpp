@@ -156,7 +156,7 @@ struct FlatGround {
     summarizeRange(view);
   }
 
-  TsdfVolume fused(bool between_rows, double max_range_m = 20) const {
+  TsdfVolume fused(bool between_rows, double max_range_m = 30) const {
     TsdfVolume::Config grid;
     grid.voxel_size_m = 0.05;
     grid.truncation_m = kTruncation;
