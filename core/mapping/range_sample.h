@@ -74,7 +74,8 @@ class RangeSampler {
   };
   /// On the ground between two rows, as if it were a plane there: 1/range is a straight line in the
   /// angle. False unless both rows next to v measured something in the column next to u, at least
-  /// one of them ground, farther apart than min_gap.
+  /// one of them ground, farther apart than min_gap. Up to kMostLost rows without a return are
+  /// passed over on either side.
   /// @param ground     pixels other than 0 see ground
   /// @param offset     see SensorView::row_offset; null: no ray is off
   /// @param row_angle  between two rows [rad]
